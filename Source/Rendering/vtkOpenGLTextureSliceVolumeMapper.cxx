@@ -3,7 +3,6 @@
 
 #include "vtkCamera.h"
 #include "vtkCellData.h"
-#include "vtkContourValues.h"
 #include "vtkDataArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
@@ -109,6 +108,7 @@ vtkTextureSliceRequest vtkOpenGLTextureSliceVolumeMapper::MakeRequest(
   vtkVolumeProperty* property, vtkDataSet* input, vtkDataArray* scalars, bool cellData)
 {
   vtkTextureSliceRequest request;
+  request.Mapper = this;
   request.Property = property;
   request.BlendMode = this->BlendMode;
   if (scalars != nullptr)
@@ -116,25 +116,11 @@ vtkTextureSliceRequest vtkOpenGLTextureSliceVolumeMapper::MakeRequest(
     request.Components = scalars->GetNumberOfComponents();
     request.ScalarType = scalars->GetDataType();
   }
-  request.PreIntegration = this->PreIntegration;
-  if (this->UseDepthPass && this->BlendMode == COMPOSITE_BLEND)
-  {
-    vtkContourValues* contours = this->GetDepthPassContourValues();
-    request.Contours.assign(
-      contours->GetValues(), contours->GetValues() + contours->GetNumberOfContours());
-  }
-  request.AverageRange = {this->AverageIPScalarRange[0], this->AverageIPScalarRange[1]};
-  request.NativeColor = this->ColorRangeType == NATIVE;
-  request.NativeOpacity = this->ScalarOpacityRangeType == NATIVE;
-  request.NativeGradientOpacity = this->GradientOpacityRangeType == NATIVE;
-  request.BinaryMask = this->MaskInput != nullptr && this->MaskType == BinaryMaskType;
-  request.SmoothGradient = this->SmoothGradient;
   if (this->Transfer2DYAxisArray != nullptr && input != nullptr)
   {
     vtkDataArray* second = this->FindSecondArray(input, cellData);
     request.SecondArray = second != nullptr ? second->GetNumberOfComponents() : -1;
   }
-  request.LabelMap = this->MaskInput != nullptr && this->MaskType == LabelMapMaskType;
   return request;
 }
 
@@ -195,7 +181,7 @@ double vtkOpenGLTextureSliceVolumeMapper::ChooseSampleDistance()
 {
   if (this->AutoAdjustSampleDistances)
   {
-    return this->Parts->Frame.GetShortestVoxelEdge();
+    return this->Parts->Frame.ShortestVoxelEdge;
   }
   vtkImageData* image = this->Parts->Image;
   return this->LockSampleDistanceToInputSpacing
@@ -367,12 +353,12 @@ bool vtkOpenGLTextureSliceVolumeMapper::PlaceSlices()
   vtkTextureSliceParts& parts = *this->Parts;
   parts.EmptySpace.Update(parts);
   parts.Frame.SetPlane(parts.Request.GetSlicePlane());
-  vtkTextureSliceView view = parts.Frame.GetView();
+  vtkTextureSliceView view = parts.Frame.View;
   view.NumberOfSlices = this->NumberOfSlices;
   view.SampleDistance = this->ChooseSampleDistance();
   if (parts.Request.IsNearest())
   {
-    view.Faces = parts.Frame.GetIntervals();
+    view.Faces = parts.Frame.Intervals;
     view.FirstFace = parts.Frame.GetFirstFace();
   }
   view.Viewport = vtkTextureSliceTarget::GetSize(parts.Window, parts.PixelSize);
@@ -394,7 +380,6 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawSlices(vtkRenderer* renderer)
   parts.Lights.Update(renderer);
   this->UpdateShadows();
   this->SetUniforms(renderer);
-  parts.Ways.SetAsked(this->Way);
   std::string error;
   parts.Window->GetState()->Push();
   for (int picture = 0; picture < parts.Peeling.CountPictures() && error.empty(); ++picture)
@@ -406,8 +391,8 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawSlices(vtkRenderer* renderer)
     }
     else if (error.empty())
     {
-      parts.Composite(
-        1.0f / this->FinalColorWindow, 0.5f - this->FinalColorLevel / this->FinalColorWindow);
+      parts.Target.Composite(parts, 1.0f / this->FinalColorWindow,
+        0.5f - this->FinalColorLevel / this->FinalColorWindow);
     }
   }
   parts.Window->GetState()->Pop();
@@ -428,7 +413,7 @@ std::string vtkOpenGLTextureSliceVolumeMapper::TakeImages(bool isDrawn)
     parts.Features.Slabs = false;
     parts.Features.BlendMode =
       parts.Request.ShowsPlaces() ? this->BlendMode : static_cast<int>(COMPOSITE_BLEND);
-    parts.Seen = parts.Frame.GetView().Part;
+    parts.Seen = parts.Frame.View.Part;
     std::string error;
     if (!parts.Draw(error))
     {
@@ -460,30 +445,12 @@ void vtkOpenGLTextureSliceVolumeMapper::GetDepthImage(vtkImageData* output)
 void vtkOpenGLTextureSliceVolumeMapper::UpdateShadows()
 {
   vtkTextureSliceParts& parts = *this->Parts;
-  vtkTextureSliceShadowSettings settings;
-  // The light is computed in cells of one size.
-  if (!parts.Coordinates.IsUsed())
-  {
-    settings.Shadow = this->ShadowStrength;
-    settings.Occlusion = this->OcclusionStrength;
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
-    if (parts.Request.Property->GetShade(0) != 0 && this->VolumetricScatteringBlending > 0.0f)
-    {
-      settings.Scattering = static_cast<double>(this->VolumetricScatteringBlending);
-      settings.Reach = static_cast<double>(this->GlobalIlluminationReach);
-    }
-#endif
-  }
-  settings.Density = this->ShadowDensity;
-  settings.Exposure = this->Exposure;
-  std::copy(this->LightDirection, this->LightDirection + 3, settings.ToLight.begin());
-  std::copy(this->Zenith, this->Zenith + 3, settings.Zenith.begin());
   // The same border as for the image sample distance; the window's own rate, because the time of a
   // prop is shared out only while a frame is drawn.
-  settings.Interactive =
+  const bool interactive =
     this->AutoAdjustSampleDistances != 0 &&
     vtkTextureSliceResolution::IsInteractive(1.0 / parts.Window->GetDesiredUpdateRate());
-  parts.Shadows.Update(parts.Window, parts, settings);
+  parts.Shadows.Update(parts, interactive);
 }
 
 bool vtkOpenGLTextureSliceVolumeMapper::UpdateLight(vtkRenderer* renderer, vtkVolume* volume)
@@ -550,7 +517,7 @@ bool vtkOpenGLTextureSliceVolumeMapper::UpdateMask(std::string& error)
 
 std::array<double, 6> vtkOpenGLTextureSliceVolumeMapper::FindSeen() const
 {
-  std::array<double, 6> seen = this->Parts->Frame.GetView().Part;
+  std::array<double, 6> seen = this->Parts->Frame.View.Part;
   // A sum is black wherever there are samples.
   for (std::size_t axis = 0; axis < 3 && this->BlendMode != ADDITIVE_BLEND; ++axis)
   {
@@ -570,10 +537,9 @@ void vtkOpenGLTextureSliceVolumeMapper::SetUniforms(vtkRenderer* renderer)
   features.SecondMasked = features.SecondArray > 0 && parts.SecondArray.IsMasked();
   features.Rectilinear = parts.Coordinates.IsUsed();
   features.Blanked = parts.Blanks.IsUsed();
-  features.Cropped = parts.Frame.NeedsCropTest();
+  features.Cropped = parts.Frame.CropTest;
   features.Parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
   features.Shadows = parts.Shadows.IsUsed();
-  features.Scattering = parts.Shadows.IsScattering();
   features.Peel = parts.Peeling.GetStage();
   features.ClippingPlanes = static_cast<int>(parts.Frame.GetClippingPlanesInTexture().size() / 4);
   features.Skipping = parts.EmptySpace.IsSkippingWorthwhile() && features.Contours == 0;
@@ -585,10 +551,7 @@ void vtkOpenGLTextureSliceVolumeMapper::SetUniforms(vtkRenderer* renderer)
     selector->GetPropColorValue(parts.SelectionColor.data());
   }
   parts.Seen = this->FindSeen();
-  parts.Distances = &parts.EmptySpace.GetDistances();
-  parts.GeometryDepth = parts.Target.GetGeometryDepth();
   parts.Surfaces = parts.Request.MakeSurfaces();
-  parts.IsoValues = parts.Request.FindIsoValues(parts.Texture.GetComponents());
 }
 
 void vtkOpenGLTextureSliceVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)

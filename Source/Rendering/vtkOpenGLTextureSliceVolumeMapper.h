@@ -48,9 +48,9 @@
  * the range, volumes larger than the largest 3-D texture, and a 2-D image, which has no thickness.
  * Refused with an error when it is met: four components with hidden points, render passes that peel
  * volumes in a way that is not VTK's, and VTK's peeling in a window with multisamples, which draws
- * nothing translucent. What is refused or ignored is said once, not in each frame. Jittering is
- * ignored; user shaders are ignored with a warning. A hardware selection finds the volume, not its
- * voxels.
+ * nothing translucent. What is refused or ignored is said once, not in each frame. Jittering and
+ * VolumetricScatteringBlending are ignored; user shaders are ignored with a warning. A hardware
+ * selection finds the volume, not its voxels.
  */
 #ifndef vtkOpenGLTextureSliceVolumeMapper_h
 #define vtkOpenGLTextureSliceVolumeMapper_h
@@ -66,7 +66,7 @@
 class vtkDataArray;
 class vtkDataSet;
 class vtkImageData;
-class vtkTextureSliceParts;
+struct vtkTextureSliceParts;
 struct vtkTextureSliceRequest;
 
 class VTKNEXRADRENDERING_EXPORT vtkOpenGLTextureSliceVolumeMapper : public vtkGPUVolumeRayCastMapper
@@ -96,12 +96,6 @@ public:
    * from the scalars' opacity alone, gradient opacity does not count. Light that crosses an
    * isosurface loses the opacity of its value. Rectilinear grids have none. What is cropped or
    * clipped away, hidden or masked out casts no shadow.
-   *
-   * From VTK 9.2 on, VolumetricScatteringBlending asks for shadows too: with shading on, it mixes
-   * the light that surfaces return with light that the volume scatters alike into all directions,
-   * by the formula of VTK's ray caster. What is scattered is shadowed in full, and
-   * GlobalIlluminationReach says how much of the way from a sample to the face of the volume casts
-   * shadows. VTK's ray caster follows each light of the renderer there, this mapper LightDirection.
    */
   vtkSetClampMacro(ShadowStrength, double, 0.0, 1.0);
   vtkGetMacro(ShadowStrength, double);
@@ -197,8 +191,8 @@ public:
    * compute shader does the same (OpenGL 4.3, or 4.2 with ARB_compute_shader). Polygons: one
    * for each slice, the outline of the volume, blended, which is slow and shows how slices work;
    * composite blending without PreIntegration alone, else as AUTOMATIC. AUTOMATIC (the default)
-   * draws the first frame by fragments; with the second one it times both once for each card, and
-   * goes on by compute shaders where these are twice as fast; polygons where no other shader
+   * draws by fragments; with the second frame it times both once for each card, and then goes on by
+   * compute shaders where these are twice as fast; polygons where no other shader
    * compiles. A way that the context does not have is replaced with a warning. The environment
    * variable VTK_TEXTURE_SLICE_WAY (automatic, fragments, compute, polygons) takes precedence.
    */

@@ -2,9 +2,9 @@
 #include "vtkTextureSliceObjectFactory.h"
 
 #include "vtkNew.h"
-#include "vtkObjectFactoryCollection.h"
 #include "vtkOpenGLTextureSliceVolumeMapper.h"
 #include "vtkVersion.h"
+#include "vtkWeakPointer.h"
 
 vtkStandardNewMacro(vtkTextureSliceObjectFactory);
 
@@ -18,17 +18,10 @@ vtkObject* MakeSlices()
   return vtkOpenGLTextureSliceVolumeMapper::New();
 }
 
-/// The one that Activate left, nullptr if there is none.
-vtkObjectFactory* FindRegistered()
+/// The factory that Activate registered; VTK's list keeps it.
+vtkWeakPointer<vtkObjectFactory>& GetRegistered()
 {
-  vtkObjectFactoryCollection* registered = vtkObjectFactory::GetRegisteredFactories();
-  vtkCollectionSimpleIterator iterator;
-  registered->InitTraversal(iterator);
-  vtkObjectFactory* factory = registered->GetNextObjectFactory(iterator);
-  while (factory != nullptr && vtkTextureSliceObjectFactory::SafeDownCast(factory) == nullptr)
-  {
-    factory = registered->GetNextObjectFactory(iterator);
-  }
+  static vtkWeakPointer<vtkObjectFactory> factory;
   return factory;
 }
 
@@ -47,17 +40,18 @@ void vtkTextureSliceObjectFactory::DisableOthers()
 
 void vtkTextureSliceObjectFactory::Activate()
 {
-  if (FindRegistered() == nullptr)
+  if (GetRegistered() == nullptr)
   {
     DisableOthers();
     vtkNew<vtkTextureSliceObjectFactory> factory;
     vtkObjectFactory::RegisterFactory(factory);
+    GetRegistered() = factory;
   }
 }
 
 void vtkTextureSliceObjectFactory::Deactivate()
 {
-  if (vtkObjectFactory* factory = FindRegistered())
+  if (vtkObjectFactory* factory = GetRegistered())
   {
     vtkObjectFactory::UnRegisterFactory(factory);
     vtkObjectFactory::SetAllEnableFlags(1, Overridden);

@@ -134,7 +134,7 @@ public:
     };
     options.prepare = [before = vtkSmartPointer<vtkObject>()](vtkImageData* volume) mutable
     { before = vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(volume, before); };
-    options.memory = std::size_t(512) << 20;
+    options.memory = std::size_t(64) << 20; // fewer than all, so that each step is read again
     this->Series = std::make_unique<BackgroundSeries>(std::move(options));
     this->Window->SetOffScreenRendering(1);
     this->Window->SetMultiSamples(0);

@@ -35,6 +35,9 @@ constexpr int Frames = 1000;
 /// Until then the shaders of all combinations are compiled, and the memory grows with them.
 constexpr int Settled = 600;
 
+/// Enough for all modes, inputs and states to take turns.
+constexpr int FramesOfRound = 150;
+
 class Endurance : public RenderingTest
 {
 protected:
@@ -232,7 +235,7 @@ TEST_F(Endurance, NoObjectIsLeftBehind)
   std::vector<std::map<std::string, int>> rounds;
   for (int round = 0; round < 2; ++round)
   {
-    for (int frame = 1; frame < Frames / 2; ++frame)
+    for (int frame = 1; frame < FramesOfRound; ++frame)
     {
       this->DrawFrame(frame % 50 == 0 ? 1 : frame); // multiples of 50 would open a window
     }

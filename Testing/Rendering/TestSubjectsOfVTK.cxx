@@ -339,11 +339,11 @@ TEST_F(SubjectsOfVTK, CompositeToMaximumAndBack)
   EXPECT_EQ(Compare(again, first, first).Pixels, 0);
 }
 
-// Every scalar type, interpolated and not, its extremes projected.
+// Each kind of texel, interpolated and not, its extremes projected. ScalarTypes has all types.
 TEST_F(SubjectsOfVTK, DataTypes)
 {
-  for (const int type : {VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT, VTK_INT,
-         VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_FLOAT, VTK_DOUBLE})
+  for (const int type :
+    {VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT, VTK_INT, VTK_FLOAT})
   {
     this->UseStorm(type, 24);
     const bool isBytes = type == VTK_SIGNED_CHAR || type == VTK_UNSIGNED_CHAR;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the volume is, and where it is seen from: every coordinate system of one frame.
+// Where the volume is, where it is seen from, and where the slices lie.
 #ifndef vtkTextureSliceFrame_h
 #define vtkTextureSliceFrame_h
 
 #include "vtkNew.h"
-#include "vtkTextureSlicePlanes.h"
+#include "vtkNexradRenderingModule.h" // for the export macro
 
 #include <array>
+#include <optional>
+#include <vector>
 
 class vtkImageData;
 class vtkMatrix4x4;
@@ -16,12 +18,94 @@ class vtkVolume;
 class vtkVolumeMapper;
 
 /**
- * The box is the volume's bounds, 0 to 1 along each of its axes; data coordinates are the image's
- * own, world coordinates those after the actor's matrix.
+ * What decides where the slices lie. "Box" coordinates run from 0 to 1 along each axis of the
+ * volume; "data" lengths are those of the volume before its actor's matrix, as VTK's ray caster
+ * measures sample distances and the unit distance of opacity.
  */
-class vtkTextureSliceFrame
+struct vtkTextureSliceView
+{
+  /// Box to camera coordinates (x right, y up, the camera looks along -z), row by row.
+  std::array<double, 16> BoxToCamera{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  /// Box to clip coordinates, row by row.
+  std::array<double, 16> BoxToClip{};
+  /// Data length of the box's edges; the sign does not matter.
+  std::array<double, 3> EdgeLength{1, 1, 1};
+  /// Depth of the near plane: no slice is nearer.
+  double NearDepth = 0.0;
+  /// The part of the box to draw: lower x, upper x, lower y and so on.
+  std::array<double, 6> Part{0, 1, 0, 1, 0, 1};
+  /// Planes in box coordinates; what has a*x + b*y + c*z + d < 0 is cut away.
+  std::vector<std::array<double, 4>> ClippingPlanes;
+  /// The one plane to draw, in box coordinates; none: slices parallel to the image plane.
+  std::optional<std::array<double, 4>> Plane;
+  /// Slices between the nearest and the farthest point of the part; 0: from SampleDistance.
+  int NumberOfSlices = 256;
+  /// Data length between two slices along the axis of the view, used if NumberOfSlices is 0.
+  double SampleDistance = 1.0;
+  /// Along each axis, the place in the box of a face between two voxels and the faces in the box,
+  /// where samples jump at faces; 0 faces: samples are interpolated.
+  std::array<double, 3> FirstFace{0, 0, 0};
+  std::array<double, 3> Faces{0, 0, 0};
+  /// Width and height of the picture in pixels.
+  std::array<int, 2> Viewport{1, 1};
+};
+
+/// A vector that depends on a pixel: Right * x + Up * y + Origin, pixels' centres at one half.
+struct vtkTextureSlicePixelMap
+{
+  std::array<double, 3> Right{};
+  std::array<double, 3> Up{};
+  std::array<double, 3> Origin{};
+};
+
+/**
+ * Planes of equal depth, in the middle of equal intervals between the nearest and the farthest
+ * point of what is drawn. Where many of them would lie on faces between voxels, all are nearer by a
+ * quarter of a voxel, or of an interval. Places on a ray are counted in slices: 0 is the nearest
+ * plane.
+ */
+class VTKNEXRADRENDERING_EXPORT vtkTextureSlicePlanes
 {
 public:
+  /// More slices than this are not drawn, however small the sample distance.
+  static constexpr int MaximumNumberOfSlices = 16384;
+
+  /// There are no slices where the part is behind the near plane.
+  void Place(const vtkTextureSliceView& view);
+
+  int GetNumberOfSlices() const { return this->NumberOfSlices; }
+  /// Depth of the nearest slice, and between two of them, in the camera's (world) units.
+  double GetNearestDepth() const { return this->NearestDepth; }
+  double GetDepthStep() const { return this->DepthStep; }
+  /// The distance of two slices along the axis of the view as a data length.
+  double GetDataStep() const { return this->DataStep; }
+  /// Where a pixel's ray meets the nearest slice, and its way from one slice to the next, in box
+  /// coordinates.
+  const vtkTextureSlicePixelMap& GetPlaces() const { return this->Places; }
+  const vtkTextureSlicePixelMap& GetSteps() const { return this->Steps; }
+  /**
+   * a, b, c, d that give the place on a ray at a depth of the window (0 to 1). With m the double of
+   * what the depth lacks to 1, it is (a - m * b) / (c + m * d).
+   */
+  const std::array<float, 4>& GetDepthToSlice() const { return this->DepthToSlice; }
+
+private:
+  int NumberOfSlices = 0;
+  double NearestDepth = 0.0;
+  double DepthStep = 0.0;
+  double DataStep = 0.0;
+  vtkTextureSlicePixelMap Places;
+  vtkTextureSlicePixelMap Steps;
+  std::array<float, 4> DepthToSlice{};
+};
+
+/**
+ * Every coordinate system of one frame. The box is the volume's bounds, 0 to 1 along each of its
+ * axes; data coordinates are the image's own, world coordinates those after the actor's matrix.
+ * What is below the functions is valid after the setters.
+ */
+struct vtkTextureSliceFrame
+{
   vtkTextureSliceFrame();
   ~vtkTextureSliceFrame();
 
@@ -34,72 +118,45 @@ public:
 
   /// A plane in world coordinates as a, b, c, d of a*x + b*y + c*z + d in box coordinates.
   std::array<double, 4> ToBox(vtkPlane* plane) const;
-
   /// Whether the volume has no extent along some axis.
   bool IsFlat() const;
-
-  /// The view for the slices, without their number and distance. Valid after the setters above.
-  const vtkTextureSliceView& GetView() const { return this->View; }
-  /// Box to clip coordinates, column by column as OpenGL reads it.
-  vtkMatrix4x4* GetBoxToClip() const { return this->BoxToClip; }
-  /// Box to texture coordinates: p * scale + bias (Formulas R2).
-  const std::array<float, 3>& GetTextureScale() const { return this->TextureScale; }
-  const std::array<float, 3>& GetTextureBias() const { return this->TextureBias; }
-
-  /// Whether samples must be tested against the cropping regions: the part alone does not do it.
-  bool NeedsCropTest() const { return this->CropTest; }
-  const std::array<float, 3>& GetCropLow() const { return this->CropLow; }
-  const std::array<float, 3>& GetCropHigh() const { return this->CropHigh; }
-
   /// A direction in world coordinates as data lengths along the box's axes, towards higher indices.
   std::array<double, 3> GetDataDirection(const std::array<double, 3>& world) const;
-  /// Whether the scalars are those of the image's cells.
-  bool IsOfCells() const { return this->CellData; }
   /// A plane in box coordinates as one in texture coordinates.
   std::array<float, 4> ToTexture(const std::array<double, 4>& box) const;
   /// The clipping planes that cut something of the part off, four numbers each, in texture
   /// coordinates; what is below 0 is cut away.
   std::vector<float> GetClippingPlanesInTexture() const;
-
   /// Signed data length of the box's edges.
   std::array<float, 3> GetEdges() const;
-  /// Where the camera stands.
-  std::array<float, 3> GetEyeInBox() const;
-  /// One voxel along each axis as texture coordinates, as wide as VTK's ray caster takes it for
-  /// differences.
-  const std::array<float, 3>& GetVoxelStep() const { return this->VoxelStep; }
-  /// The mean spacing over twice the (signed) spacing along each axis.
-  const std::array<float, 3>& GetInverseAspect() const { return this->InverseAspect; }
   /// One voxel along its shortest edge as texture coordinates, and how many of them make half of
   /// its longest edge: 0 for cubes, 4 at most.
   std::array<float, 4> GetStair() const;
-  /// Box to camera coordinates, and gradients in data coordinates to normals in camera
-  /// coordinates, column by column as OpenGL reads them.
-  std::array<float, 16> GetBoxToCameraColumns() const;
-  std::array<float, 9> GetGradientToCameraColumns() const;
-
-  /// Voxels' edges in the box, and where the first face between two voxels is, along each axis.
-  const std::array<double, 3>& GetIntervals() const { return this->Intervals; }
+  /// Where the first face between two voxels is in the box, along each axis.
   std::array<double, 3> GetFirstFace() const;
-  /// World length of the shortest edge of a voxel.
-  double GetShortestVoxelEdge() const { return this->ShortestVoxelEdge; }
 
-private:
   vtkNew<vtkMatrix4x4> BoxToWorld;
+  /// Column by column as OpenGL reads it.
   vtkNew<vtkMatrix4x4> BoxToClip;
+  /// For the slices, without their number and distance.
   vtkTextureSliceView View;
   std::array<double, 3> Origin{};
   std::array<double, 3> Edge{}; ///< signed data length of the box's edges
+  /// Box to texture coordinates: p * scale + bias (Formulas R2).
   std::array<float, 3> TextureScale{};
   std::array<float, 3> TextureBias{};
+  /// One voxel along each axis as texture coordinates, as wide as VTK's ray caster takes it for
+  /// differences.
   std::array<float, 3> VoxelStep{};
+  /// The mean spacing over twice the (signed) spacing along each axis.
   std::array<float, 3> InverseAspect{};
-  bool CellData = false;
+  bool CellData = false; ///< whether the scalars are those of the image's cells
+  /// Whether samples must be tested against the cropping regions: the part alone does not do it.
   bool CropTest = false;
   std::array<float, 3> CropLow{};
   std::array<float, 3> CropHigh{};
-  std::array<double, 3> Intervals{};
-  double ShortestVoxelEdge = 1.0;
+  std::array<double, 3> Intervals{}; ///< voxels' edges in the box
+  double ShortestVoxelEdge = 1.0;    ///< world length
 };
 
 #endif

@@ -5,6 +5,8 @@
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureSliceFrame.h"
@@ -94,9 +96,13 @@ void vtkTextureSliceLights::SetUniforms(
   program->SetUniformi("twoSided", this->TwoSided ? 1 : 0);
   SetArray(program, "lightDiffuse", this->Diffuse);
   SetArray(program, "lightSpecular", this->Specular);
+  vtkNew<vtkMatrix4x4> cameraToBox;
+  vtkMatrix4x4::Invert(frame.View.BoxToCamera.data(), cameraToBox->GetData());
   if (this->OnlyHeadlight)
   {
-    program->SetUniform3f("eyeInBox", frame.GetEyeInBox().data());
+    const double eye[3] = {
+      cameraToBox->GetElement(0, 3), cameraToBox->GetElement(1, 3), cameraToBox->GetElement(2, 3)};
+    program->SetUniform3f("eyeInBox", ToFloat(eye).data());
     program->SetUniform3f("boxEdges", frame.GetEdges().data());
     return;
   }
@@ -105,8 +111,20 @@ void vtkTextureSliceLights::SetUniforms(
   SetArray(program, "lightPosition", this->Position);
   SetArray(program, "lightAttenuation", this->Attenuation);
   SetArray(program, "lightCone", this->Cone);
-  std::array<float, 16> boxToCamera = frame.GetBoxToCameraColumns();
-  std::array<float, 9> gradientToCamera = frame.GetGradientToCameraColumns();
+  // Column by column, as OpenGL reads them. Normals go the other way about: by the transposed
+  // matrix from camera to box coordinates, and from data to box lengths by the edges.
+  std::array<float, 16> boxToCamera{};
+  std::array<float, 9> gradientToCamera{};
+  for (std::size_t i = 0; i < 16; ++i)
+  {
+    boxToCamera[i] = static_cast<float>(frame.View.BoxToCamera[4 * (i % 4) + i / 4]);
+  }
+  for (std::size_t i = 0; i < 9; ++i)
+  {
+    gradientToCamera[i] =
+      static_cast<float>(cameraToBox->GetElement(static_cast<int>(i / 3), static_cast<int>(i % 3)) *
+                         frame.Edge[i / 3]);
+  }
   program->SetUniformMatrix4x4("boxToCamera", boxToCamera.data());
   program->SetUniformMatrix3x3("gradientToCamera", gradientToCamera.data());
 }

@@ -9,7 +9,7 @@
 class vtkLight;
 class vtkRenderer;
 class vtkShaderProgram;
-class vtkTextureSliceFrame;
+struct vtkTextureSliceFrame;
 
 /**
  * The lights that are switched on. As in VTK's ray caster, a single headlight shines along each ray

@@ -4,17 +4,38 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkContourValues.h"
 #include "vtkMath.h"
+#include "vtkOpenGLTextureSliceVolumeMapper.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkShaderProgram.h"
+#include "vtkTextureSlicePeeling.h"
+#include "vtkVersionMacros.h"
 #include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <set>
+#include <utility>
 
 namespace
 {
+
+/// Highlights where the eye sees the light mirrored (Phong), as VTK draws them from 9.2 on, and not
+/// where the surface faces half-way between light and eye (Blinn).
+constexpr bool MirroredHighlights = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0);
+
+/// Where a ray ends, because what is behind adds less than a quarter of one of 255.
+constexpr const char* Opaque = "(1023.0 / 1024.0)";
+/// What each ray has, however short its way.
+constexpr const char* LeastSamples = "2.0";
+constexpr const char* LeastSlabs = "4.0";
+
+/// What a table of so many rows is in the shader.
+const char* SamplerOf(int rows)
+{
+  return rows == 1 ? "sampler1D" : "sampler2D";
+}
 
 /// VTK's ray caster spreads gradient opacity over a quarter of the scalars' range.
 constexpr double GradientRange = 0.25;
@@ -76,8 +97,24 @@ bool IsOneEverywhere(vtkPiecewiseFunction* function)
   return function->GetSize() > 0 && function->GetClamping() != 0;
 }
 
+/// @param contours nullptr: there are no values.
+std::vector<double> GetValues(vtkContourValues* contours)
+{
+  return contours != nullptr ? std::vector<double>(contours->GetValues(),
+                                 contours->GetValues() + contours->GetNumberOfContours())
+                             : std::vector<double>();
+}
+
 /// The scalar that is full red, green or blue where scalars are colours: VTK takes only bytes.
 constexpr double FullColor = 255.0;
+
+/// The first of these texts whose condition holds; nullptr if none does.
+const char* FindFirst(std::initializer_list<std::pair<bool, const char*>> texts)
+{
+  const auto* const first =
+    std::find_if(texts.begin(), texts.end(), [](const auto& text) { return text.first; });
+  return first != texts.end() ? first->second : nullptr;
+}
 
 bool IsExtreme(int blendMode)
 {
@@ -87,81 +124,98 @@ bool IsExtreme(int blendMode)
 
 } // namespace
 
-const char* vtkTextureSliceRequest::FindUnsupported() const
+std::string vtkTextureSliceFeatures::GetDefines() const
 {
-  if (this->BlendMode < vtkVolumeMapper::COMPOSITE_BLEND ||
-      this->BlendMode > vtkVolumeMapper::SLICE_BLEND)
+  std::string defines;
+  const auto define = [&defines](const char* name, const std::string& text)
+  { defines += std::string("#define TEXTURE_SLICE_") + name + ' ' + text + '\n'; };
+  using Named = std::pair<const char*, int>;
+  for (const auto& [name, number] :
+    {Named("COMPOSITE", vtkVolumeMapper::COMPOSITE_BLEND),
+      {"MAXIMUM", vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND},
+      {"MINIMUM", vtkVolumeMapper::MINIMUM_INTENSITY_BLEND},
+      {"AVERAGE", vtkVolumeMapper::AVERAGE_INTENSITY_BLEND},
+      {"ADDITIVE", vtkVolumeMapper::ADDITIVE_BLEND},
+      {"ISOSURFACE", vtkVolumeMapper::ISOSURFACE_BLEND}, {"PLANE", vtkVolumeMapper::SLICE_BLEND},
+      {"BLEND", this->BlendMode}, {"COMPONENTS", this->Components}, {"FUNCTIONS", this->Functions},
+      {"ROWS", this->CountRows()}, {"LABEL_ROWS", this->CountLabelRows()},
+      {"CLIPPING_PLANES", this->ClippingPlanes}, {"PEEL_OUTSIDE", vtkTextureSlicePeeling::Outside},
+      {"PEEL_BETWEEN", vtkTextureSlicePeeling::Between},
+      {"PEEL_REST", vtkTextureSlicePeeling::Rest}})
   {
-    return "the blend mode must be composite, maximum, minimum, average, additive, isosurface or "
-           "slice";
+    define(name, std::to_string(number));
   }
-  if (this->Components > 4)
+  // Defined where they are above 0.
+  for (const auto& [name, number] :
+    {Named("MASKED", this->Masked), {"BLANKED", this->Blanked}, {"RECTILINEAR", this->Rectilinear},
+      {"CROPPED", this->Cropped}, {"PARALLEL", this->Parallel},
+      {"GRADIENT_OPACITY", this->GradientOpacity}, {"SMOOTH_GRADIENT", this->SmoothGradient},
+      {"CLIPPED_SCALARS", this->ClippedScalars && this->ClippingPlanes > 0},
+      {"TABLE_2D", this->Table2D}, {"EXTREME_SAMPLE", this->ExtremeSample},
+      {"GRADIENT", this->NeedsGradient()}, {"SECOND_ARRAY", this->SecondArray},
+      {"SECOND_MASKED", this->SecondMasked}, {"BINARY_MASK", this->BinaryMask},
+      {"SELECTION", this->Selection}, {"SHADOWS", this->Shadows}, {"LABELS", this->Labels},
+      {"MIRRORED_HIGHLIGHTS", MirroredHighlights}, {"SKIPPING", this->Skipping},
+      {"SLABS", this->Slabs ? SlabsOfPiece : 0}, {"PEEL", this->Peel}, {"PLACES", this->Places},
+      {"ISO_VALUES", this->IsoValues}, {"CONTOURS", this->Contours}})
   {
-    return "the scalars must have 1 to 4 components";
+    if (number > 0)
+    {
+      define(name, std::to_string(number));
+    }
   }
-  if (this->Property == nullptr)
+  if (this->Lights >= 0)
   {
-    return nullptr;
+    define("LIGHTS", std::to_string(this->Lights));
   }
-  if (this->BlendMode == vtkVolumeMapper::SLICE_BLEND && this->GetSlicePlane() == nullptr)
-  {
-    return "slice blending needs a vtkPlane with a normal: call SetSliceFunction on the property";
-  }
-  const bool composite = this->BlendMode == vtkVolumeMapper::COMPOSITE_BLEND;
-  if (this->Has2D() && !composite)
-  {
-    return "two-dimensional transfer functions are supported in the composite blend mode alone: "
-           "use "
-           "it or TF_1D";
-  }
-  if (const char* unsupported = this->FindUnsupportedSecondArray())
-  {
-    return unsupported;
-  }
-  if (this->LabelMap && (this->Components > 1 || this->Has2D()))
-  {
-    return "a label map is supported for one component with one-dimensional transfer functions "
-           "alone: call SetMaskInput with nullptr";
-  }
-  const bool dependent = this->Components > 0 && !this->IsIndependent();
-  if (dependent && this->Components != 2 && this->Components != 4)
-  {
-    return "one or three dependent components are not supported, only 2 (value, opacity) and 4 "
-           "(RGBA): call IndependentComponentsOn";
-  }
-  if (dependent && this->Components == 4 && this->ScalarType != VTK_UNSIGNED_CHAR)
-  {
-    return "four dependent components must be unsigned char: call IndependentComponentsOn";
-  }
-  if (this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND &&
-      (this->Components > 2 || (this->Components == 2 && !dependent)))
-  {
-    return "isosurfaces are supported for one component and for two dependent ones (colour, "
-           "surface) "
-           "alone: choose one component, or call IndependentComponentsOff";
-  }
-  return nullptr;
+  define("TABLE", SamplerOf(this->CountRows()));
+  define("LABEL_TABLE", SamplerOf(this->CountLabelRows()));
+  define("INTEGRAL_TABLE", this->GetIntegralDimensions() == 1 ? "sampler1D" : "sampler2D");
+  define("OPAQUE", Opaque);
+  define("LEAST_SLICES", this->Slabs ? LeastSlabs : LeastSamples);
+  return defines;
 }
 
-const char* vtkTextureSliceRequest::FindUnsupportedSecondArray() const
+const char* vtkTextureSliceRequest::FindUnsupported() const
 {
-  if (!this->Has2D() || this->Components == 0)
+  const char* refused = FindFirst({{this->BlendMode < vtkVolumeMapper::COMPOSITE_BLEND ||
+                                       this->BlendMode > vtkVolumeMapper::SLICE_BLEND,
+                                     "the blend mode must be composite, maximum, minimum, average, "
+                                     "additive, isosurface or slice"},
+    {this->Components > 4, "the scalars must have 1 to 4 components"}});
+  if (refused != nullptr || this->Property == nullptr)
   {
-    return nullptr;
+    return refused;
   }
-  const int functions = this->IsIndependent() ? this->Components : 1;
-  if (this->SecondArray < 0)
-  {
-    return "the volume has no array of the name that SetTransfer2DYAxisArray was given, beside its "
-           "scalars: name another one, or call SetTransfer2DYAxisArray with nullptr";
-  }
-  if (this->SecondArray > 4 || (this->SecondArray > 0 && this->SecondArray < functions))
-  {
-    return "the second array of two-dimensional transfer functions must have a component for each "
-           "set of functions, and 4 at most: name another one, or call SetTransfer2DYAxisArray "
-           "with nullptr";
-  }
-  return nullptr;
+  const bool has2D = this->Has2D();
+  const bool dependent = this->Components > 0 && !this->IsIndependent();
+  const int second = has2D && this->Components > 0 ? this->SecondArray : 0;
+  return FindFirst({{this->BlendMode == vtkVolumeMapper::SLICE_BLEND &&
+                        this->GetSlicePlane() == nullptr,
+                      "slice blending needs a vtkPlane with a normal: call SetSliceFunction on the "
+                      "property"},
+    {has2D && this->BlendMode != vtkVolumeMapper::COMPOSITE_BLEND,
+      "two-dimensional transfer functions are supported in the composite blend mode alone: use it "
+      "or TF_1D"},
+    {second < 0,
+      "the volume has no array of the name that SetTransfer2DYAxisArray was given, beside its "
+      "scalars: name another one, or call SetTransfer2DYAxisArray with nullptr"},
+    {second > 4 || (second > 0 && !dependent && second < this->Components),
+      "the second array of two-dimensional transfer functions must have a component for each set "
+      "of functions, and 4 at most: name another one, or call SetTransfer2DYAxisArray with "
+      "nullptr"},
+    {this->HasMask(vtkGPUVolumeRayCastMapper::LabelMapMaskType) && (this->Components > 1 || has2D),
+      "a label map is supported for one component with one-dimensional transfer functions alone: "
+      "call SetMaskInput with nullptr"},
+    {dependent && this->Components != 2 && this->Components != 4,
+      "one or three dependent components are not supported, only 2 (value, opacity) and 4 (RGBA): "
+      "call IndependentComponentsOn"},
+    {dependent && this->Components == 4 && this->ScalarType != VTK_UNSIGNED_CHAR,
+      "four dependent components must be unsigned char: call IndependentComponentsOn"},
+    {this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND &&
+        (this->Components > 2 || (this->Components == 2 && !dependent)),
+      "isosurfaces are supported for one component and for two dependent ones (colour, surface) "
+      "alone: choose one component, or call IndependentComponentsOff"}});
 }
 
 const char* vtkTextureSliceRequest::FindUnsupportedRange(
@@ -171,8 +225,8 @@ const char* vtkTextureSliceRequest::FindUnsupportedRange(
   const bool counted = std::all_of(components.begin(), components.end(),
     [this](const vtkTextureSliceComponent& component)
     {
-      return this->AverageRange[0] <= component.Range[0] &&
-             component.Range[1] <= this->AverageRange[1];
+      const double* range = this->Mapper->GetAverageIPScalarRange();
+      return range[0] <= component.Range[0] && component.Range[1] <= range[1];
     });
   if (this->BlendMode == vtkVolumeMapper::AVERAGE_INTENSITY_BLEND && components.size() > 1 &&
       this->IsIndependent() && !counted)
@@ -185,14 +239,22 @@ const char* vtkTextureSliceRequest::FindUnsupportedRange(
 
 std::vector<double> vtkTextureSliceRequest::GetIsoValues() const
 {
-  std::vector<double> values;
-  if (this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND)
-  {
-    vtkContourValues* contours = this->Property->GetIsoSurfaceValues();
-    values.assign(contours->GetValues(), contours->GetValues() + contours->GetNumberOfContours());
-    std::sort(values.begin(), values.end());
-  }
+  const bool has = this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND;
+  std::vector<double> values = GetValues(has ? this->Property->GetIsoSurfaceValues() : nullptr);
+  std::sort(values.begin(), values.end());
   return values;
+}
+
+std::vector<double> vtkTextureSliceRequest::GetContours() const
+{
+  const bool has =
+    this->BlendMode == vtkVolumeMapper::COMPOSITE_BLEND && this->Mapper->GetUseDepthPass() != 0;
+  return GetValues(has ? this->Mapper->GetDepthPassContourValues() : nullptr);
+}
+
+bool vtkTextureSliceRequest::HasMask(int type) const
+{
+  return this->Mapper->GetMaskInput() != nullptr && this->Mapper->GetMaskType() == type;
 }
 
 vtkPlane* vtkTextureSliceRequest::GetSlicePlane() const
@@ -226,8 +288,9 @@ bool vtkTextureSliceRequest::Has2D() const
 int vtkTextureSliceRequest::CountLabels() const
 {
   // Labels choose the colour of a sample; projections show none.
-  const bool used = this->LabelMap && (this->BlendMode == vtkVolumeMapper::COMPOSITE_BLEND ||
-                                        this->BlendMode == vtkVolumeMapper::SLICE_BLEND);
+  const bool used = this->HasMask(vtkGPUVolumeRayCastMapper::LabelMapMaskType) &&
+                    (this->BlendMode == vtkVolumeMapper::COMPOSITE_BLEND ||
+                      this->BlendMode == vtkVolumeMapper::SLICE_BLEND);
   const std::set<int> labels = used ? this->Property->GetLabelMapLabels() : std::set<int>();
   return labels.empty() ? 0 : *labels.rbegin();
 }
@@ -241,7 +304,7 @@ bool vtkTextureSliceRequest::ShowsPlaces() const
 
 bool vtkTextureSliceRequest::IntegratesSlabs() const
 {
-  return this->PreIntegration && this->Contours.empty() &&
+  return this->Mapper->GetPreIntegration() && this->GetContours().empty() &&
          this->BlendMode == vtkVolumeMapper::COMPOSITE_BLEND && !this->Has2D() &&
          !this->IsNearest();
 }
@@ -276,15 +339,15 @@ vtkTextureSliceFeatures vtkTextureSliceRequest::GetFeatures() const
   features.ExtremeSample =
     IsExtreme(this->BlendMode) && this->Components > 1 && !this->IsIndependent();
   features.GradientOpacity = this->ShowsPlaces() && this->HasGradientOpacity();
-  features.SmoothGradient = this->SmoothGradient;
+  features.SmoothGradient = this->Mapper->GetSmoothGradient();
   features.ClippedScalars = this->Property->GetUseClippedVoxelIntensity() != 0;
   features.Table2D = this->Has2D();
   features.SecondArray = this->ReadsSecondArray() ? this->SecondArray : 0;
-  features.BinaryMask = this->BinaryMask;
+  features.BinaryMask = this->HasMask(vtkGPUVolumeRayCastMapper::BinaryMaskType);
   features.Labels = this->CountLabels();
   features.Slabs = this->IntegratesSlabs();
   features.IsoValues = static_cast<int>(this->GetIsoValues().size());
-  features.Contours = static_cast<int>(this->Contours.size());
+  features.Contours = static_cast<int>(this->GetContours().size());
   return features;
 }
 
@@ -300,9 +363,11 @@ vtkTextureSliceRow vtkTextureSliceRequest::MakeRow(int functions,
   {
     row.Color = this->Property->GetRGBTransferFunction(functions);
   }
-  row.ColorDomain = {color.Range, this->NativeColor};
+  row.ColorDomain = {
+    color.Range, this->Mapper->GetColorRangeType() == vtkGPUVolumeRayCastMapper::NATIVE};
   row.Opacity = this->Property->GetScalarOpacity(functions);
-  row.OpacityDomain = {opacity.Range, this->NativeOpacity};
+  row.OpacityDomain = {
+    opacity.Range, this->Mapper->GetScalarOpacityRangeType() == vtkGPUVolumeRayCastMapper::NATIVE};
   row.OpticalDepth = this->BlendMode == vtkVolumeMapper::COMPOSITE_BLEND;
   return row;
 }
@@ -323,7 +388,8 @@ std::vector<vtkTextureSliceRow> vtkTextureSliceRequest::MakeRows(
     const auto& range =
       features.Functions > 1 ? components[static_cast<std::size_t>(i)] : components.back();
     row.Opacity = this->Property->GetGradientOpacity(i);
-    row.OpacityDomain = {{0.0, GradientRange * Width(range)}, this->NativeGradientOpacity};
+    row.OpacityDomain = {{0.0, GradientRange * Width(range)},
+      this->Mapper->GetGradientOpacityRangeType() == vtkGPUVolumeRayCastMapper::NATIVE};
     rows.push_back(row);
   }
   return rows;
@@ -417,9 +483,10 @@ void vtkTextureSliceRequest::SetUniforms(
     { return Normalized(this->Property->GetClippedVoxelIntensity(), target); });
   program->SetUniform4f("clippedScalars", clipped.data());
   SetValues(program, "isoValues", this->FindIsoValues(components));
-  SetValues(program, "contours", Normalize(this->Contours, components.front()));
-  const std::array<float, 2> averageRange{Normalized(this->AverageRange[0], components[0]),
-    Normalized(this->AverageRange[1], components[0])};
+  SetValues(program, "contours", Normalize(this->GetContours(), components.front()));
+  const double* range = this->Mapper->GetAverageIPScalarRange();
+  const std::array<float, 2> averageRange{
+    Normalized(range[0], components[0]), Normalized(range[1], components[0])};
   program->SetUniform2f("averageRange", averageRange.data());
 }
 

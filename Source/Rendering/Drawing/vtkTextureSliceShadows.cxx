@@ -6,10 +6,11 @@
 #include "vtkMath.h"
 #include "vtkMatrix3x3.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLTextureSliceVolumeMapper.h"
 #include "vtkPointData.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureSliceOpenGL.h"
-#include "vtkTextureSliceUniforms.h"
+#include "vtkTextureSliceParts.h"
 #include "vtkVolumeMapper.h"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ namespace
 
 using Function = vtkTextureSliceLightCells::Function;
 using Lights = vtkTextureSliceLightVolume::Lights;
-using Source = vtkTextureSliceUniforms;
+using Source = vtkTextureSliceParts;
 
 /// As many cells as a volume of 256 x 256 x 128 voxels has at half its resolution.
 constexpr std::size_t MostCells = 1048576;
@@ -48,28 +49,28 @@ bool IsDirection(const std::array<double, 3>& vector)
   return length > 0.0 && std::isfinite(length);
 }
 
-Lights FindLights(const Source& source, const vtkTextureSliceShadowSettings& settings)
+Lights FindLights(const Source& source)
 {
+  vtkOpenGLTextureSliceVolumeMapper* mapper = source.Request.Mapper;
+  const auto direction = [](const double* v) { return std::array<double, 3>{v[0], v[1], v[2]}; };
+  const auto toLight = direction(mapper->GetLightDirection());
+  auto zenith = direction(mapper->GetZenith());
   Lights lights;
-  lights.Shadow =
-    (settings.Shadow > 0.0 || settings.Scattering > 0.0) && IsDirection(settings.ToLight);
-  lights.Occlusion = settings.Occlusion > 0.0 && IsDirection(settings.Zenith);
-  lights.Reach = settings.Reach;
+  lights.Shadow = mapper->GetShadowStrength() > 0.0 && IsDirection(toLight);
+  lights.Occlusion = mapper->GetOcclusionStrength() > 0.0 && IsDirection(zenith);
   lights.ToLight = {};
   if (lights.Shadow)
   {
-    lights.ToLight = source.Frame.GetDataDirection(settings.ToLight);
+    lights.ToLight = source.Frame.GetDataDirection(toLight);
   }
   if (lights.Occlusion)
   {
     double east[3];
     double north[3];
-    std::array<double, 3> zenith = settings.Zenith;
     vtkMath::Normalize(zenith.data());
     vtkMath::Perpendiculars(zenith.data(), east, north, 0.0);
-    lights.Sky = {source.Frame.GetDataDirection({east[0], east[1], east[2]}),
-      source.Frame.GetDataDirection({north[0], north[1], north[2]}),
-      source.Frame.GetDataDirection(zenith)};
+    lights.Sky = {source.Frame.GetDataDirection(direction(east)),
+      source.Frame.GetDataDirection(direction(north)), source.Frame.GetDataDirection(zenith)};
   }
   return lights;
 }
@@ -116,19 +117,19 @@ std::vector<std::vector<Function>> MakeFunctions(const Source& source, double de
 std::optional<vtkTextureSliceLightCells::Cut> FindCut(const Source& source)
 {
   const vtkTextureSliceFrame& frame = source.Frame;
-  vtkTextureSliceLightCells::Cut cut{frame.GetView().Part, frame.GetView().ClippingPlanes};
-  if (frame.NeedsCropTest())
+  vtkTextureSliceLightCells::Cut cut{frame.View.Part, frame.View.ClippingPlanes};
+  if (frame.CropTest)
   {
     cut.CropFlags = source.CropFlags;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       const auto toBox = [&](float texture)
       {
-        return static_cast<double>(texture - frame.GetTextureBias()[axis]) /
-               static_cast<double>(frame.GetTextureScale()[axis]);
+        return static_cast<double>(texture - frame.TextureBias[axis]) /
+               static_cast<double>(frame.TextureScale[axis]);
       };
-      cut.CropLow[axis] = toBox(frame.GetCropLow()[axis]);
-      cut.CropHigh[axis] = toBox(frame.GetCropHigh()[axis]);
+      cut.CropLow[axis] = toBox(frame.CropLow[axis]);
+      cut.CropHigh[axis] = toBox(frame.CropHigh[axis]);
     }
   }
   const bool whole = cut == vtkTextureSliceLightCells::Cut();
@@ -168,8 +169,7 @@ vtkTextureSliceLightCells::Source MakeCells(const Source& source, double density
 {
   const vtkTextureSliceFeatures features = source.Request.GetFeatures();
   vtkTextureSliceLightCells::Source made;
-  made.Scalars =
-    vtkTextureSliceScalars::Find(source.Image, source.Scalars, source.Frame.IsOfCells());
+  made.Scalars = vtkTextureSliceScalars::Find(source.Image, source.Scalars, source.Frame.CellData);
   made.Masked = source.Texture.IsMasked();
   if (features.HasMask())
   {
@@ -192,50 +192,42 @@ vtkTextureSliceLightCells::Source MakeCells(const Source& source, double density
 
 } // namespace
 
-void vtkTextureSliceShadows::Update(
-  vtkOpenGLRenderWindow* window, const Source& source, const vtkTextureSliceShadowSettings& asked)
+void vtkTextureSliceShadows::Update(const Source& source, bool interactive)
 {
   const vtkTextureSliceFeatures features = source.Request.GetFeatures();
-  const bool surfaces = HasSurfaces(features);
-  vtkTextureSliceShadowSettings settings = asked;
-  if (surfaces)
-  {
-    settings.Scattering = 0.0; // as in VTK's ray caster
-    settings.Reach = 1.0;
-  }
-  this->Used = (settings.Shadow > 0.0 || settings.Occlusion > 0.0 || settings.Scattering > 0.0) &&
-               CanShow(features);
+  vtkOpenGLTextureSliceVolumeMapper* mapper = source.Request.Mapper;
+  // The light is computed in cells of one size.
+  this->Used = (mapper->GetShadowStrength() > 0.0 || mapper->GetOcclusionStrength() > 0.0) &&
+               CanShow(features) && !source.Coordinates.IsUsed();
   if (!this->Used)
   {
     return;
   }
-  this->HalfScattering = static_cast<float>(settings.Scattering / 2.0);
   Key key{{source.Texture.GetBricks().GetBuildTime(),
             features.HasMask() ? source.MaskValues->GetMTime() : 0},
-    MakeCells(source, settings.Density), FindLights(source, settings)};
+    MakeCells(source, mapper->GetShadowDensity()), FindLights(source)};
   // The shader weakens by surfaces themselves, too: not without a light, or a sky.
-  this->Strength = {key.From.Shadow ? static_cast<float>(settings.Shadow) : 0.0f,
-    key.From.Occlusion ? static_cast<float>(settings.Occlusion) : 0.0f};
-  const bool finer = this->Coarse && !settings.Interactive;
+  this->Strength = {key.From.Shadow ? static_cast<float>(mapper->GetShadowStrength()) : 0.0f,
+    key.From.Occlusion ? static_cast<float>(mapper->GetOcclusionStrength()) : 0.0f};
+  const bool finer = this->Coarse && !interactive;
   if (key.Times != this->Last.Times || !key.Cells.IsLike(this->Last.Cells) ||
       !(key.From == this->Last.From) || finer)
   {
-    this->Volume.Build(
-      key.Cells, key.From, settings.Interactive ? MostCellsOfInteraction : MostCells);
-    this->Coarse = settings.Interactive;
+    this->Volume.Build(key.Cells, key.From, interactive ? MostCellsOfInteraction : MostCells);
+    this->Coarse = interactive;
     this->Last = std::move(key);
-    this->MakeImage(source.Image, source.Frame.IsOfCells());
-    this->Texture->ReleaseGraphicsResources(window);
+    this->MakeImage(source.Image, source.Frame.CellData);
+    this->Texture->ReleaseGraphicsResources(source.Window);
   }
   // Surfaces and shading weigh shadow and occlusion apart.
-  const bool apart = surfaces || source.Request.IsShaded();
+  const bool apart = HasSurfaces(features) || source.Request.IsShaded();
   const std::array<float, 2> joined = apart ? std::array<float, 2>{} : this->Strength;
-  const auto exposure = static_cast<float>(settings.Exposure);
+  const auto exposure = static_cast<float>(mapper->GetExposure());
   if (this->Texture->GetHandle() == 0 || joined != this->Joined || exposure != this->Exposure)
   {
     this->Joined = joined;
     this->Exposure = exposure;
-    this->Upload(window);
+    this->Upload(source.Window);
   }
 }
 
@@ -293,11 +285,10 @@ void vtkTextureSliceShadows::MakeImage(vtkImageData* volume, bool cellData)
 }
 
 void vtkTextureSliceShadows::SetUniforms(
-  vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms) const
+  vtkShaderProgram* program, const vtkTextureSliceParts& uniforms) const
 {
   program->SetUniform3f("lightTextureScale", this->Volume.GetGrid().GetTextureScale().data());
   program->SetUniform2f("lightStrength", this->Strength.data());
-  program->SetUniformf("scattering", this->HalfScattering);
   if (!this->Last.Cells.Surfaces.empty())
   {
     this->SetSurfaces(program, uniforms);
@@ -305,7 +296,7 @@ void vtkTextureSliceShadows::SetUniforms(
 }
 
 void vtkTextureSliceShadows::SetSurfaces(
-  vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms) const
+  vtkShaderProgram* program, const vtkTextureSliceParts& uniforms) const
 {
   const vtkTextureSliceLightGrid& grid = this->Volume.GetGrid();
   std::array<double, 3> toLight = this->Last.From.ToLight;
@@ -315,7 +306,7 @@ void vtkTextureSliceShadows::SetSurfaces(
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     // The gradient is the change over two voxels, times the signed aspect of the shader.
-    const float aspect = uniforms.Frame.GetInverseAspect()[axis];
+    const float aspect = uniforms.Frame.InverseAspect[axis];
     const float sign = aspect < 0.0f ? -1.0f : 1.0f;
     toLight[axis] /= grid.CellEdge[axis];
     gradientToCells[axis] = sign * static_cast<float>(grid.CellEdge[axis]);
@@ -324,9 +315,11 @@ void vtkTextureSliceShadows::SetSurfaces(
   }
   vtkMath::Normalize(toLight.data());
   std::vector<float> surfaces; // value and what it takes of the light
-  for (std::size_t i = 0; i < uniforms.IsoValues.size(); ++i)
+  const std::vector<float> values =
+    uniforms.Request.FindIsoValues(uniforms.Texture.GetComponents());
+  for (std::size_t i = 0; i < values.size(); ++i)
   {
-    surfaces.push_back(uniforms.IsoValues[i]);
+    surfaces.push_back(values[i]);
     surfaces.push_back(1.0f - std::exp(-this->Last.Cells.Surfaces[i].Depth));
   }
   program->SetUniform3f("toLight", toLight.data());

@@ -14,23 +14,7 @@
 class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
-struct vtkTextureSliceUniforms;
-
-/// Where light comes from, in world coordinates, and how much it matters.
-struct vtkTextureSliceShadowSettings
-{
-  double Shadow = 0.0;    ///< strength, 0 to 1
-  double Occlusion = 0.0; ///< strength, 0 to 1
-  /// As VolumetricScatteringBlending of VTK 9.2: 0 (none) to 2 (all light is scattered).
-  double Scattering = 0.0;
-  std::array<double, 3> ToLight{0, 0, 1};
-  std::array<double, 3> Zenith{0, 0, 1};
-  double Density = 1.0;  ///< extinction for the light over that for the viewer
-  double Exposure = 1.0; ///< times what shadow and occlusion leave of a colour, up to all of it
-  double Reach = 1.0;    ///< as vtkTextureSliceLightVolume::Lights
-  /// Whether the frame is one of an interaction: a change then asks for a coarse volume.
-  bool Interactive = false;
-};
+struct vtkTextureSliceParts;
 
 /**
  * Keeps a vtkTextureSliceLightVolume up to date with scalars, transfer functions, mask, cuts and
@@ -40,16 +24,15 @@ struct vtkTextureSliceShadowSettings
 class vtkTextureSliceShadows
 {
 public:
-  /// @param source volume, functions, mask and cuts; all of it must be up to date.
-  void Update(vtkOpenGLRenderWindow* window, const vtkTextureSliceUniforms& source,
-    const vtkTextureSliceShadowSettings& asked);
+  /// @param source all of it must be up to date: the mapper's settings, volume, functions, mask and
+  /// cuts.
+  /// @param interactive whether a change asks for a coarse volume.
+  void Update(const vtkTextureSliceParts& source, bool interactive);
 
   /// Whether the last Update was asked for shadow or occlusion, and the blend mode has them.
   bool IsUsed() const { return this->Used; }
-  /// Whether a part of the light is scattered, too.
-  bool IsScattering() const { return this->Used && this->HalfScattering > 0.0f; }
   vtkTextureObject* GetTexture() const { return this->Texture; }
-  void SetUniforms(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms) const;
+  void SetUniforms(vtkShaderProgram* program, const vtkTextureSliceParts& uniforms) const;
 
   /// The volume in data coordinates, of two components; nullptr if not used.
   vtkImageData* GetImage() const { return this->Used ? this->Image.Get() : nullptr; }
@@ -63,7 +46,7 @@ private:
     vtkTextureSliceLightVolume::Lights From;
   };
 
-  void SetSurfaces(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms) const;
+  void SetSurfaces(vtkShaderProgram* program, const vtkTextureSliceParts& uniforms) const;
   void Upload(vtkOpenGLRenderWindow* window);
   std::vector<float> Join() const;
   void MakeImage(vtkImageData* volume, bool cellData);
@@ -77,7 +60,6 @@ private:
   /// without shading; (0, 0): it has them in two, as they are.
   std::array<float, 2> Joined{};
   float Exposure = 1.0f; ///< that the texture has
-  float HalfScattering = 0.0f;
   vtkNew<vtkTextureObject> Texture;
   vtkNew<vtkImageData> Image;
 };

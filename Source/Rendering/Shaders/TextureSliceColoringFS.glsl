@@ -1,3 +1,27 @@
+// Rows of colour and opacity over 0 to 1, one for each set of functions; then, with gradient
+// opacity, as many rows of it. A single row is a 1-D texture: its look-up reads half as many texels.
+// Composite: the alpha of the sets of functions is the optical depth of a unit distance, for each
+// factor of 2 that it weakens what is behind (Formulas R1).
+uniform TEXTURE_SLICE_TABLE transferTable;
+// From 0 to 1 to the centres of the first and the last entry.
+uniform float tableScale;
+uniform float tableBias;
+
+vec4 LookUpRow(sampler1D table, float at, int row, int rows)
+{
+  return textureLod(table, at, 0.0);
+}
+
+vec4 LookUpRow(sampler2D table, float at, int row, int rows)
+{
+  return textureLod(table, vec2(at, (float(row) + 0.5) / float(rows)), 0.0);
+}
+
+vec4 LookUp(float scalar, int row)
+{
+  return LookUpRow(transferTable, scalar * tableScale + tableBias, row, TEXTURE_SLICE_ROWS);
+}
+
 // What a sample adds to the picture.
 
 uniform float componentWeight[TEXTURE_SLICE_COMPONENTS];
@@ -100,34 +124,14 @@ vec2 FindTransmittance(vec3 gradient)
 #endif
 
 #ifdef TEXTURE_SLICE_LIGHTS
-#ifdef TEXTURE_SLICE_SCATTERING
-// How much of the light is scattered within the volume, as VTK 9.2's ray caster mixes it: the more,
-// the less a place is like a surface.
-float ScatteredPart(float gradient, float opacity)
-{
-  float fading = 2.0 * exp(-2.0 * scattering * gradient * opacity);
-  return scattering < 0.5 ? scattering * fading
-                          : (1.0 - scattering) * fading + 2.0 * scattering - 1.0;
-}
-#endif
-
 // The light and the sky's light that arrive: the sky lights what is ambient, the light the rest.
-vec3 LightAndShade(vec4 color, vec4 gradient, vec4 surface)
+vec3 LightAndShade(vec4 color, vec3 gradient, vec4 surface)
 {
 #ifdef TEXTURE_SLICE_SHADOWS
-  vec2 transmittance = FindTransmittance(gradient.xyz);
-  vec2 arriving = Weaken(transmittance);
-  vec4 shadowed = vec4(surface.xyz * arriving.yxx, surface.w);
-  vec3 lit = clamp(Light(color.rgb, gradient.xyz, shadowed), 0.0, 1.0);
-#ifdef TEXTURE_SLICE_SCATTERING
-  surface.xy *= vec2(arriving.y, transmittance.x);
-  vec3 scattered = clamp(Scatter(color.rgb, surface), 0.0, 1.0);
-  lit = mix(lit, scattered, ScatteredPart(gradient.w, color.a));
+  vec2 arriving = Weaken(FindTransmittance(gradient));
+  surface.xyz *= arriving.yxx;
 #endif
-  return lit;
-#else
-  return clamp(Light(color.rgb, gradient.xyz, surface), 0.0, 1.0);
-#endif
+  return clamp(Light(color.rgb, gradient, surface), 0.0, 1.0);
 }
 #endif
 
@@ -140,7 +144,7 @@ vec4 Finish(vec4 color, vec4 scalars, int component, int label)
   color.a = WeakenOpacity(color.a, GradientOpacity(gradient.w, component, label));
 #endif
 #ifdef TEXTURE_SLICE_LIGHTS
-  color.rgb = LightAndShade(color, gradient, material[component]);
+  color.rgb = LightAndShade(color, gradient.xyz, material[component]);
 #endif
 #endif
 #if defined TEXTURE_SLICE_SHADOWS && !defined TEXTURE_SLICE_LIGHTS

@@ -1,11 +1,23 @@
 //VTK::System::Dec
 // SPDX-License-Identifier: BSD-3-Clause
-// A pixel of the volume: its ray, from front to back.
+// A pixel of the volume: its ray, from front to back; of a polygon, the one sample of the ray on the plane.
 //VTK::Output::Dec
+
+// The number of the plane.
+flat in float slice;
 
 //VTK::TextureSlice::Parts
 
 void main()
 {
+#ifdef TEXTURE_SLICE_POLYGONS
+  if (StartRay(gl_FragCoord.xy, 0.0) && slice >= raySpan.x && slice <= raySpan.y)
+  {
+    sampleUnits = CountSlices(slice) * length(sampleStep);
+    GatherSample(PlaceAt(slice));
+  }
+  gl_FragData[0] = FindPicture();
+#else
   gl_FragData[0] = StartRay(gl_FragCoord.xy, TEXTURE_SLICE_LEAST_SLICES) ? March() : vec4(0.0);
+#endif
 }

@@ -3,7 +3,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkSMPTools.h"
-#include "vtkTextureSliceRows.h"
+#include "vtkTextureSliceScalars.h"
 
 #include <algorithm>
 #include <atomic>

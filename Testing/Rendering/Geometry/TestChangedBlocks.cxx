@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The boxes in which two volumes differ, against a look at every texel.
-#include "vtkTextureSliceBlocks.h"
+#include "vtkTextureSliceTexels.h"
 
 #include "vtkDataArray.h"
 #include "vtkNew.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is left out of a volume, against a look at every voxel and every brick.
 #include "vtkTextureSliceBricks.h"
-#include "vtkTextureSliceDistanceMap.h"
-#include "vtkTextureSliceVisibility.h"
+#include "vtkTextureSliceEmptySpace.h"
+#include "vtkTextureSliceTables.h"
 
 #include "vtkFloatArray.h"
 #include "vtkNew.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The integrals of pre-integrated classification (Formulas L1) beside those computed by hand.
-#include "vtkTextureSliceIntegralTable.h"
+#include "vtkTextureSliceTables.h"
 
 #include "Tolerance.h"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Formulas L2: how much light arrives in the cells of volumes whose shadows are known.
-#include "vtkTextureSliceLightSweep.h"
 #include "vtkTextureSliceLightVolume.h"
 
 #include "vtkFloatArray.h"
@@ -235,30 +234,6 @@ TEST_F(LightVolume, ABlockShadesWhatIsBehindIt)
       }
     }
     EXPECT_EQ(this->At({16, 16, 30}), 1.0) << "above the block";
-  }
-}
-
-// Of a way whose part next to the cell alone counts, the depth is that part.
-TEST_F(LightVolume, AReachLeavesTheNearestPartOfTheWay)
-{
-  constexpr double extinction = 0.02;
-  const std::array<double, 3> box{63.0, 63.0, 63.0};
-  this->Make({64, 64, 64}, {1.0, 1.0, 1.0}, [](double, double, double) { return extinction; });
-  Lights lights;
-  lights.Shadow = true;
-  lights.ToLight = {0.2, -0.1, 1.0};
-  for (const double reach : {0.0, 0.3, 0.75})
-  {
-    lights.Reach = reach;
-    this->Build(lights);
-    for (const std::array<int, 3>& cell :
-      {std::array<int, 3>{16, 16, 16}, {12, 20, 3}, {20, 12, 29}})
-    {
-      const double way = LengthInside(this->Centre(cell), lights.ToLight, box);
-      const double cellWay = 2.0 * std::hypot(0.2, 0.1, 1.0);
-      const double kept = std::max(reach * way, std::min(way, cellWay));
-      EXPECT_NEAR(this->At(cell) / std::exp(-extinction * kept), 1.0, 0.01) << reach;
-    }
   }
 }
 

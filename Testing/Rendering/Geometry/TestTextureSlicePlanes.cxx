@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where the slices lie, and how the rays go through them, against the inverse of the projection.
 #include "Tolerance.h"
-#include "vtkTextureSlicePlanes.h"
+#include "vtkTextureSliceFrame.h"
 
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How the image sample distance follows the time that frames take.
-#include "vtkTextureSliceResolution.h"
+#include "vtkTextureSliceTarget.h"
 
 #include <gtest/gtest.h>
 

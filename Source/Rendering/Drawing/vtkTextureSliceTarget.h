@@ -1,21 +1,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The picture of the volume before the window sees it.
+// The picture of the volume before the window sees it, its resolution, and images of it.
 #ifndef vtkTextureSliceTarget_h
 #define vtkTextureSliceTarget_h
 
 #include "vtkNew.h"
+#include "vtkNexradRenderingModule.h" // for the export macro
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkTextureObject.h"
-#include "vtkTextureSliceBox.h"
+#include "vtkTextureSliceWays.h"
 
 #include <array>
-#include <functional>
 #include <string>
+#include <vector>
 
+class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
-struct vtkTextureSliceUniforms;
+class vtkTextureObject;
+struct vtkTextureSliceFrame;
+struct vtkTextureSliceParts;
 class vtkWindow;
+
+/**
+ * The image sample distance, pixels of the window for each pixel of the volume's picture along an
+ * axis: 1, 2, 5 or 10, as in VTK's ray caster. A frame's time is taken to grow with its pixels.
+ */
+class VTKNEXRADRENDERING_EXPORT vtkTextureSliceResolution
+{
+public:
+  /// Whether a frame that may take that long, seconds, is one of an interaction.
+  static bool IsInteractive(double allowedTime);
+
+  /**
+   * The finest of the distances whose frame is expected to take no longer, clamped.
+   * @param allowedTime seconds.
+   */
+  double Choose(double allowedTime, double minimum, double maximum);
+  /// Reports how many seconds the frame of the last choice took.
+  void Report(double seconds);
+
+private:
+  double LastDistance = 1.0;
+  double FullTime = 0.0; ///< expected at a distance of 1; 0: not known yet
+};
 
 /**
  * RGBA of associated colour (Formulas R3), as large as the viewport, or coarser or finer, and a
@@ -46,13 +73,9 @@ public:
   /// Directs drawing back to where it went before Begin.
   void End();
 
-  /**
-   * Blends the picture over the viewport of the last Begin.
-   * @param smooth whether to interpolate between its pixels if it has another size.
-   * @param setUniforms sets what that shader reads besides the picture.
-   */
-  void Composite(bool smooth, const vtkTextureSliceUniforms& uniforms,
-    const std::function<void(vtkShaderProgram*)>& setUniforms);
+  /// Blends the picture over the viewport of the last Begin.
+  /// @param scale, bias the final window and level.
+  void Composite(vtkTextureSliceParts& parts, float scale, float bias);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -69,6 +92,28 @@ private:
   std::array<int, 4> Viewport{}; ///< left, bottom, width, height
   bool FullPrecision = false;    ///< of Color
   int DepthKey = -1;             ///< the depth format that Depth has
+};
+
+/**
+ * What a mapper draws with RenderToImage, as VTK's ray caster draws it: associated colour, four
+ * unsigned char a pixel, white where a ray misses the volume; and depths of the window, 0 to 1, in
+ * the type of the mapper's DepthImageScalarType.
+ */
+class vtkTextureSliceImages
+{
+public:
+  vtkNew<vtkImageData> Color;
+  vtkNew<vtkImageData> Depth;
+
+  /// The pixels of a picture, four numbers each.
+  static std::vector<float> Download(vtkTextureObject* picture);
+  /**
+   * @param colors pixels of the picture.
+   * @param places of the picture of places (vtkTextureSliceFeatures::Places).
+   * @param clamps whether a ray that sees nothing has the depth of its beginning, in place of 1.
+   */
+  void Fill(const std::array<int, 2>& size, int depthType, const std::vector<float>& colors,
+    const std::vector<float>& places, const vtkTextureSliceFrame& frame, bool clamps);
 };
 
 #endif

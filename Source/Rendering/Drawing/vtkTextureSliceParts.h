@@ -1,38 +1,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Everything that the shaders of the slices read in one frame.
-#ifndef vtkTextureSliceUniforms_h
-#define vtkTextureSliceUniforms_h
+// The parts of the texture-slice mapper, and a frame that they draw together.
+#ifndef vtkTextureSliceParts_h
+#define vtkTextureSliceParts_h
 
 #include "vtkSmartPointer.h"
-#include "vtkTextureSliceBlanks.h"
 #include "vtkTextureSliceCoordinates.h"
+#include "vtkTextureSliceEmptySpace.h"
 #include "vtkTextureSliceFrame.h"
-#include "vtkTextureSliceIntegralTable.h"
 #include "vtkTextureSliceLights.h"
 #include "vtkTextureSlicePeeling.h"
-#include "vtkTextureSlicePlanes.h"
 #include "vtkTextureSliceRequest.h"
 #include "vtkTextureSliceShadows.h"
-#include "vtkTextureSliceTable.h"
-#include "vtkTextureSliceTable2D.h"
+#include "vtkTextureSliceTables.h"
+#include "vtkTextureSliceTarget.h"
 #include "vtkTextureSliceTexture.h"
+#include "vtkTextureSliceWays.h"
+#include "vtkWeakPointer.h"
 
 #include <array>
 #include <functional>
+#include <string>
 #include <utility>
 #include <vector>
 
 class vtkDataArray;
 class vtkImageData;
+class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 class vtkTextureObject;
 class vtkTextureSliceDistanceMap;
 
 /**
- * Everything the shaders read in one frame: the parts of the mapper that hold it, each of which
- * decides for itself what a change makes it do anew, and what each frame sets anew.
+ * What vtkOpenGLTextureSliceVolumeMapper works with, one job each. Each part decides for itself
+ * what a change makes it do anew; the rest is set anew in each frame.
  */
-struct vtkTextureSliceUniforms
+struct vtkTextureSliceParts
 {
   /// The volume of this frame; of a rectilinear grid, an image of its points or cells.
   vtkSmartPointer<vtkImageData> Image;
@@ -54,26 +56,54 @@ struct vtkTextureSliceUniforms
   vtkTextureSliceLights Lights;
   vtkTextureSliceShadows Shadows; ///< used if Features.Shadows
   vtkTextureSlicePeeling Peeling; ///< used if Features.Peel is above 0
+  vtkTextureSliceEmptySpace EmptySpace;
+  vtkTextureSliceResolution Resolution;
+  vtkTextureSliceTarget Target;
+  vtkTextureSliceImages Images;
+  vtkTextureSliceWays Ways;
 
   vtkTextureSliceFeatures Features;
   /// The part of the box with something to see: lower x, upper x, lower y and so on.
   std::array<double, 6> Seen{0, 1, 0, 1, 0, 1};
-  const vtkTextureSliceDistanceMap* Distances = nullptr; ///< used if Features.Skipping
-  vtkTextureObject* GeometryDepth = nullptr;             ///< used if Features.NeedsDepth()
   double PixelSize = 1.0;                       ///< pixels of the viewport for one of the picture
   float LabelWeight = 1.0f;                     ///< how much the label's functions count
   std::vector<vtkTextureSliceSurface> Surfaces; ///< one for each component
-  std::vector<float> IsoValues; ///< of isosurfaces, ascending, 0 to 1 as the scalars are
   int CropFlags = 0;
   std::array<float, 3> SelectionColor{}; ///< used if Features.Selection
 
+  /// The window whose context owns the graphics resources.
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  /// What the last frame refused, and what it ignored: the same is not said again.
+  std::string Refused;
+  std::string Ignored;
+  /// Why it was drawn in another way than asked for.
+  std::string Fallback;
+
+  /// Whether a message that is repeated each frame is another one than in the last frame.
+  static bool IsNews(std::string& last, const std::string& message);
+
+  /// Deletes the graphics resources in the context of the window that owns them; the current
+  /// context stays the same.
+  void Release(vtkOpenGLRenderWindow* window);
+  /// Makes that window the owner; another one gives its resources up first.
+  void Use(vtkOpenGLRenderWindow* window);
+
+  /// Brings the textures of the volume and of the functions up to date.
+  /// @param second of two-dimensional functions; or nullptr
+  /// @return false with one line in @a error
+  bool UpdateVolume(bool cellData, vtkDataArray* second, std::string& error);
+  /// Draws the slices into the target. @return false with one line in @a error
+  bool Draw(std::string& error);
   /// Draws with a shader that is ready, which gets everything that it reads.
-  void Use(vtkShaderProgram* program, const std::function<void()>& draw) const;
+  void DrawWith(vtkShaderProgram* program, const std::function<void()>& draw);
 
 private:
+  bool UpdateTables(bool nearest, std::string& error);
+  /// Brings the integrals of the tables up to date, for slabs as thick as the planes are distant.
+  void UpdateIntegrals();
   /// The textures that the features need, and the names of their samplers.
-  std::vector<std::pair<const char*, vtkTextureObject*>> FindTextures() const;
-  void SetParts(vtkShaderProgram* program) const;
+  std::vector<std::pair<const char*, vtkTextureObject*>> FindTextures();
+  void SetUniforms(vtkShaderProgram* program);
 };
 
 #endif

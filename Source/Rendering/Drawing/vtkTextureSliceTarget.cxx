@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTextureSliceTarget.h"
 
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkPointData.h"
 #include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+#include "vtkTextureSliceFrame.h"
 #include "vtkTextureSliceOpenGL.h"
-#include "vtkTextureSliceUniforms.h"
+#include "vtkTextureSliceParts.h"
+#include "vtkVolumeMapper.h"
 
 #include "TextureSliceCompositeFS.h"
 
@@ -97,7 +103,59 @@ std::string MakeCompositeShader(const vtkTextureSliceFeatures& features)
   return shader;
 }
 
+vtkDataArray* Allocate(vtkImageData* image, const std::array<int, 2>& size, int type, int count)
+{
+  image->SetDimensions(size[0], size[1], 1);
+  image->AllocateScalars(type, count);
+  return image->GetPointData()->GetScalars();
+}
+
+/// The depth in the window, 0 to 1, of a place as texture coordinates.
+double FindDepth(const vtkTextureSliceFrame& frame, const float* place)
+{
+  const std::array<double, 16>& toClip = frame.View.BoxToClip;
+  double z = toClip[11];
+  double w = toClip[15];
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const auto box =
+      static_cast<double>((place[axis] - frame.TextureBias[axis]) / frame.TextureScale[axis]);
+    z += toClip[8 + axis] * box;
+    w += toClip[12 + axis] * box;
+  }
+  return std::clamp(0.5 * z / w + 0.5, 0.0, 1.0);
+}
+
 } // namespace
+
+bool vtkTextureSliceResolution::IsInteractive(double allowedTime)
+{
+  // The same border as in VTK's ray caster.
+  return allowedTime < 1.0;
+}
+
+double vtkTextureSliceResolution::Choose(double allowedTime, double minimum, double maximum)
+{
+  constexpr double distances[] = {1.0, 2.0, 5.0, 10.0};
+  double chosen = distances[0];
+  for (const double distance : distances)
+  {
+    chosen = distance;
+    if (!IsInteractive(allowedTime) || this->FullTime <= allowedTime * distance * distance)
+    {
+      break;
+    }
+  }
+  this->LastDistance = std::max(minimum, std::min(chosen, maximum));
+  return this->LastDistance;
+}
+
+void vtkTextureSliceResolution::Report(double seconds)
+{
+  const double full = seconds * this->LastDistance * this->LastDistance;
+  // Averaged, so that one slow frame does not make the picture flicker.
+  this->FullTime = this->FullTime > 0.0 ? 0.5 * (this->FullTime + full) : full;
+}
 
 vtkTextureSliceTarget::vtkTextureSliceTarget() = default;
 vtkTextureSliceTarget::~vtkTextureSliceTarget() = default;
@@ -212,12 +270,25 @@ void vtkTextureSliceTarget::End()
   state->vtkglViewport(this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3]);
 }
 
-void vtkTextureSliceTarget::Composite(bool smooth, const vtkTextureSliceUniforms& uniforms,
-  const std::function<void(vtkShaderProgram*)>& setUniforms)
+void vtkTextureSliceTarget::Composite(vtkTextureSliceParts& parts, float scale, float bias)
 {
-  const vtkTextureSliceFeatures& features = uniforms.Features;
+  const vtkTextureSliceFeatures& features = parts.Features;
+  vtkOpenGLState* state = this->Window->GetState();
+  // Associated colour over the window; identifiers as they are.
+  state->vtkglBlendEquation(GL_FUNC_ADD);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  state->SetEnumState(GL_BLEND, !features.Selection);
   vtkShaderProgram* program = this->Box.Ready(
     this->Window, features.GetDefines(), [&features] { return MakeCompositeShader(features); });
+  if (features.Peel > 0)
+  {
+    parts.Peeling.SetBlending(state);
+    parts.Peeling.SetUniforms(program);
+  }
+  // Between an extreme and no sample at all there is nothing.
+  const bool smooth = parts.PixelSize != 1.0 &&
+                      features.BlendMode != vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND &&
+                      features.BlendMode != vtkVolumeMapper::MINIMUM_INTENSITY_BLEND;
   vtkTextureSliceSetSampling(this->Color, !smooth);
   this->Color->Activate();
   program->SetUniformi("volumeImage", this->Color->GetTextureUnit());
@@ -226,8 +297,10 @@ void vtkTextureSliceTarget::Composite(bool smooth, const vtkTextureSliceUniforms
     -static_cast<float>(this->Viewport[0]) / static_cast<float>(this->Viewport[2]),
     -static_cast<float>(this->Viewport[1]) / static_cast<float>(this->Viewport[3])};
   program->SetUniform4f("toPicture", toPicture.data());
-  setUniforms(program);
-  this->Box.Draw(uniforms.Frame, uniforms.Seen);
+  program->SetUniformf("colorScale", scale);
+  program->SetUniformf("colorBias", bias);
+  program->SetUniform3f("selectionColor", parts.SelectionColor.data());
+  this->Box.Draw(parts.Frame, parts.Seen);
   this->Color->Deactivate();
 }
 
@@ -239,4 +312,37 @@ void vtkTextureSliceTarget::ReleaseGraphicsResources(vtkWindow* window)
   this->Color->ReleaseGraphicsResources(window);
   this->Depth->ReleaseGraphicsResources(window);
   this->Window = nullptr;
+}
+
+std::vector<float> vtkTextureSliceImages::Download(vtkTextureObject* picture)
+{
+  std::vector<float> pixels(std::size_t{4} * picture->GetWidth() * picture->GetHeight());
+  picture->Activate();
+  glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, pixels.data());
+  picture->Deactivate();
+  return pixels;
+}
+
+void vtkTextureSliceImages::Fill(const std::array<int, 2>& size, int depthType,
+  const std::vector<float>& colors, const std::vector<float>& places,
+  const vtkTextureSliceFrame& frame, bool clamps)
+{
+  vtkDataArray* bytes = Allocate(this->Color, size, VTK_UNSIGNED_CHAR, 4);
+  vtkDataArray* depths = Allocate(this->Depth, size, depthType, 1);
+  const bool rounds = depthType != VTK_FLOAT;
+  const double farthest = rounds ? depths->GetDataTypeMax() : 1.0;
+  for (vtkIdType pixel = 0; pixel < bytes->GetNumberOfTuples(); ++pixel)
+  {
+    const float* color = colors.data() + 4 * pixel;
+    const float* place = places.data() + 4 * pixel;
+    const bool meetsVolume = place[3] > 0.0f;
+    for (int i = 0; i < 4; ++i)
+    {
+      const float value = meetsVolume ? std::clamp(color[i], 0.0f, 1.0f) : (i < 3 ? 1.0f : 0.0f);
+      bytes->SetComponent(pixel, i, std::round(255.0f * value));
+    }
+    const bool hasDepth = place[3] == 1.0f || (clamps && meetsVolume);
+    const double depth = farthest * (hasDepth ? FindDepth(frame, place) : 1.0);
+    depths->SetComponent(pixel, 0, rounds ? std::round(depth) : depth);
+  }
 }

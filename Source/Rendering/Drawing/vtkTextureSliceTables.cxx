@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkTextureSliceTable.h"
+#include "vtkTextureSliceTables.h"
 
 #include "vtkColorTransferFunction.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureSliceOpenGL.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
+#include <vector>
 
 namespace
 {
@@ -157,6 +162,43 @@ std::vector<float> GetAlphas(const float* entries, std::size_t width)
   return alphas;
 }
 
+/// Four floats a point, in one plane.
+bool IsTable(vtkImageData* image)
+{
+  vtkDataArray* scalars = image != nullptr ? image->GetPointData()->GetScalars() : nullptr;
+  return scalars != nullptr && scalars->GetDataType() == VTK_FLOAT &&
+         scalars->GetNumberOfComponents() == 4 && image->GetDimensions()[2] == 1;
+}
+
+bool HaveOneSize(const std::vector<vtkImageData*>& images, int limit)
+{
+  const int* size = images.front()->GetDimensions();
+  const int height = size[1] * static_cast<int>(images.size());
+  return size[0] <= limit && height <= limit &&
+         std::all_of(images.begin(), images.end(),
+           [size](vtkImageData* image) {
+             return image->GetDimensions()[0] == size[0] && image->GetDimensions()[1] == size[1];
+           });
+}
+
+using Entry = std::array<double, 4>;
+
+/// Colour and depth, the depth limited.
+Entry Limit(const float* entry, double mostDepth)
+{
+  return {static_cast<double>(entry[0]), static_cast<double>(entry[1]),
+    static_cast<double>(entry[2]), std::min(static_cast<double>(entry[3]), mostDepth)};
+}
+
+/// What is integrated on the way from one entry to the next: colour times depth, and depth.
+Entry Weigh(const Entry& from, const Entry& to, double way)
+{
+  Entry entry{};
+  std::transform(from.begin(), from.end(), to.begin(), entry.begin(),
+    [way](double a, double b) { return a + way * (b - a); });
+  return {entry[0] * entry[3], entry[1] * entry[3], entry[2] * entry[3], entry[3]};
+}
+
 } // namespace
 
 vtkTextureSliceTable::Key vtkTextureSliceTable::MakeKey(const vtkTextureSliceRow& row)
@@ -238,4 +280,136 @@ void vtkTextureSliceTable::SetUniforms(const std::string& name, vtkShaderProgram
   const auto texel = static_cast<float>(1.0 / static_cast<double>(this->GetWidth()));
   program->SetUniformf((name + "Scale").c_str(), 1.0f - texel);
   program->SetUniformf((name + "Bias").c_str(), 0.5f * texel);
+}
+
+bool vtkTextureSliceTable2D::Update(vtkOpenGLRenderWindow* window,
+  const std::vector<vtkImageData*>& images, bool nearest, std::string& error)
+{
+  if (!std::all_of(images.begin(), images.end(), IsTable))
+  {
+    error = "a two-dimensional transfer function must be a 2-D image of four floats: see "
+            "vtkVolumeProperty::SetTransferFunction2D";
+    return false;
+  }
+  const int limit = vtkTextureObject::GetMaximumTextureSize(window);
+  if (!HaveOneSize(images, limit))
+  {
+    error =
+      "the two-dimensional transfer functions of all components must have one size, at most " +
+      std::to_string(limit) + " wide and together as high";
+    return false;
+  }
+  std::vector<std::pair<const void*, vtkMTimeType>> key;
+  for (vtkImageData* image : images)
+  {
+    key.emplace_back(image, image->GetMTime());
+  }
+  const bool current = this->Texture->GetHandle() != 0 && this->Texture->GetContext() == window;
+  this->Texture->SetContext(window);
+  if ((!current || key != this->Last) && !this->Upload(images))
+  {
+    error = "OpenGL could not make a texture of the two-dimensional transfer functions";
+    return false;
+  }
+  this->Last = key;
+  vtkTextureSliceSetSampling(this->Texture, nearest);
+  return true;
+}
+
+bool vtkTextureSliceTable2D::Upload(const std::vector<vtkImageData*>& images)
+{
+  const int* size = images.front()->GetDimensions();
+  std::vector<float> entries;
+  for (vtkImageData* image : images)
+  {
+    const auto* first = static_cast<const float*>(image->GetScalarPointer());
+    entries.insert(entries.end(), first, first + 4 * image->GetNumberOfPoints());
+  }
+  this->Rows = size[1];
+  this->Width = size[0];
+  this->IndexOpacities(entries, images.size());
+  return this->Texture->Create2DFromRaw(static_cast<unsigned int>(size[0]),
+    static_cast<unsigned int>(size[1]) * static_cast<unsigned int>(images.size()), 4, VTK_FLOAT,
+    entries.data());
+}
+
+void vtkTextureSliceTable2D::IndexOpacities(const std::vector<float>& entries, std::size_t images)
+{
+  const auto width = static_cast<std::size_t>(this->Width);
+  this->Visibilities.clear();
+  for (std::size_t image = 0; image < images; ++image)
+  {
+    std::vector<float> most(width, 0.0f);
+    const float* alpha = entries.data() + image * width * static_cast<std::size_t>(this->Rows) * 4;
+    for (std::size_t i = 0; i < width * static_cast<std::size_t>(this->Rows); ++i)
+    {
+      most[i % width] = std::max(most[i % width], alpha[4 * i + 3]);
+    }
+    this->Visibilities.emplace_back(most);
+  }
+  this->FillTime.Modified();
+}
+
+std::size_t vtkTextureSliceIntegralTable::ChooseWidth(std::size_t entries)
+{
+  constexpr std::size_t mostRefined = 2048; // OpenGL has textures of four times that
+  return entries <= mostRefined ? 4 * entries - 3 : entries;
+}
+
+void vtkTextureSliceIntegralTable::Integrate(
+  const float* entries, std::size_t width, double mostDepth, float* integrals)
+{
+  const std::size_t fine = ChooseWidth(width);
+  const std::size_t parts = (fine - 1) / (width - 1);
+  Entry sum{};
+  Entry last{};
+  for (std::size_t i = 0; i < fine; ++i)
+  {
+    const Entry from = Limit(entries + 4 * (i / parts), mostDepth);
+    const Entry to = Limit(entries + 4 * std::min(i / parts + 1, width - 1), mostDepth);
+    const Entry current =
+      Weigh(from, to, static_cast<double>(i % parts) / static_cast<double>(parts));
+    for (std::size_t c = 0; c < 4; ++c)
+    {
+      sum[c] += i > 0 ? 0.5 * (last[c] + current[c]) : 0.0;
+      integrals[4 * i + c] = static_cast<float>(sum[c]);
+    }
+    last = current;
+  }
+}
+
+double vtkTextureSliceIntegralTable::ChooseMostDepth(double unitsOfSlab)
+{
+  constexpr double opaque = 32.0; // 2^-32 of the light is left
+  constexpr double least = 32.0;  // an opacity below 1 has a depth of 24 at most, in floats
+  constexpr double most = 1048576.0;
+  const double needed = std::clamp(opaque / std::max(unitsOfSlab, 1e-30), least, most);
+  return std::exp2(std::ceil(std::log2(needed)));
+}
+
+void vtkTextureSliceIntegralTable::Update(vtkOpenGLRenderWindow* window,
+  const vtkTextureSliceTable& table, int rows, int dimensions, double mostDepth)
+{
+  const Key key{table.GetFillTime(), rows, dimensions, mostDepth};
+  if (this->Texture->GetHandle() != 0 && this->Texture->GetContext() == window && key == this->Last)
+  {
+    return;
+  }
+  this->Last = key;
+  this->Texture->SetContext(window);
+  const std::size_t width = table.GetWidth();
+  this->Width = ChooseWidth(width);
+  std::vector<float> integrals(static_cast<std::size_t>(rows) * this->Width * 4);
+  for (std::size_t row = 0; row < static_cast<std::size_t>(rows); ++row)
+  {
+    Integrate(table.GetEntries(row), width, mostDepth, &integrals[row * this->Width * 4]);
+  }
+  vtkTextureSliceSetSampling(this->Texture, true);
+  vtkTextureSliceTable::Upload(
+    this->Texture, dimensions, static_cast<std::size_t>(rows), integrals);
+}
+
+void vtkTextureSliceIntegralTable::SetUniforms(const char* name, vtkShaderProgram* program) const
+{
+  program->SetUniformf(name, static_cast<float>(this->Width) - 1.0f);
 }

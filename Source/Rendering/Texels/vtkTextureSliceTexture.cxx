@@ -2,9 +2,15 @@
 #include "vtkTextureSliceTexture.h"
 
 #include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseKey.h"
+#include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
 #include "vtkTextureSliceOpenGL.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cstring>
@@ -62,6 +68,71 @@ bool Check(const vtkTextureSliceScalars& source, std::string& error)
 }
 
 } // namespace
+
+vtkStandardNewMacro(vtkTextureSliceChecksums);
+vtkInformationKeyMacro(vtkTextureSliceChecksums, PREPARED, ObjectBase);
+
+vtkTextureSliceChecksums::Key vtkTextureSliceChecksums::MakeKey(
+  const vtkTextureSliceScalars& source)
+{
+  return {source.Scalars, source.Scalars->GetMTime(), source.Ghosts,
+    source.Ghosts != nullptr ? source.Ghosts->GetMTime() : 0, source.Size, source.CellData,
+    source.Codes, source.Places};
+}
+
+void vtkTextureSliceChecksums::Build(const vtkTextureSliceScalars& source)
+{
+  this->Made = MakeKey(source);
+  this->Bricks.Build(source);
+  this->Texels = {source, this->Bricks};
+  this->Blocks.Build(source);
+}
+
+vtkSmartPointer<vtkTextureSliceChecksums> vtkTextureSliceChecksums::Prepare(
+  const vtkTextureSliceScalars& source, const vtkTextureSliceChecksums* before)
+{
+  // The array makes its information when it is first asked, and counts as changed by that.
+  vtkInformation* information = source.Scalars->GetInformation();
+  auto checksum = vtkSmartPointer<vtkTextureSliceChecksums>::New();
+  checksum->Build(source);
+  if (before != nullptr)
+  {
+    checksum->Prepared = checksum->TakeChanges(source, before);
+    checksum->PreparedOver = before->Made;
+  }
+  information->Set(PREPARED(), checksum);
+  return checksum;
+}
+
+vtkSmartPointer<vtkTextureSliceChecksums> vtkTextureSliceChecksums::Get(
+  const vtkTextureSliceScalars& source)
+{
+  vtkSmartPointer<vtkTextureSliceChecksums> checksum;
+  if (source.Scalars->HasInformation())
+  {
+    checksum =
+      vtkTextureSliceChecksums::SafeDownCast(source.Scalars->GetInformation()->Get(PREPARED()));
+  }
+  if (checksum == nullptr || checksum->Made != MakeKey(source))
+  {
+    checksum = vtkSmartPointer<vtkTextureSliceChecksums>::New();
+    checksum->Build(source);
+  }
+  return checksum;
+}
+
+vtkTextureSliceChanges vtkTextureSliceChecksums::TakeChanges(
+  const vtkTextureSliceScalars& source, const vtkTextureSliceChecksums* before)
+{
+  auto prepared = std::exchange(this->Prepared, std::nullopt);
+  if (prepared && before != nullptr && before->Made == this->PreparedOver)
+  {
+    return std::move(*prepared);
+  }
+  const bool comparable = before != nullptr && this->Texels.IsLike(before->Texels);
+  return this->Texels.Encode(
+    source, this->Blocks.FindChanges(comparable ? &before->Blocks : nullptr));
+}
 
 bool vtkTextureSliceTexture::Update(vtkOpenGLRenderWindow* window,
   const vtkTextureSliceScalars& source, bool nearest, std::string& error)
@@ -154,4 +225,31 @@ bool vtkTextureSliceTexture::Allocate(
   }
   this->Allocated = wanted;
   return true;
+}
+
+bool vtkTextureSliceBlanks::Update(
+  vtkOpenGLRenderWindow* window, vtkImageData* image, bool cellData, std::string& error)
+{
+  vtkUnsignedCharArray* flags = vtkTextureSliceScalars::FindGhosts(image, !cellData);
+  this->Used = flags != nullptr && flags->GetRange()[1] > 0.0;
+  if (!this->Used)
+  {
+    return true;
+  }
+  const auto size = vtkTextureSliceScalars::GetSize(image, !cellData);
+  const auto texels = vtkTextureSliceScalars::GetSize(image, cellData);
+  // Scalars of points: half a texel before the first cell. Scalars of cells: half a point after.
+  const float offset = cellData ? 0.5f : -0.5f;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    this->Scale[axis] = static_cast<float>(texels[axis]) / static_cast<float>(size[axis]);
+    this->Bias[axis] = offset / static_cast<float>(size[axis]);
+  }
+  return this->Texture.Update(window, {flags, size}, true, error);
+}
+
+void vtkTextureSliceBlanks::SetUniforms(vtkShaderProgram* program) const
+{
+  program->SetUniform3f("blankScale", this->Scale.data());
+  program->SetUniform3f("blankBias", this->Bias.data());
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkTextureSliceUniforms.h"
+#include "vtkTextureSliceParts.h"
 
+#include "vtkImageData.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
-#include "vtkTextureSliceDistanceMap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,13 +31,13 @@ void SetSurfaces(vtkShaderProgram* program, const std::vector<vtkTextureSliceSur
 
 void SetFrame(vtkShaderProgram* program, const vtkTextureSliceFrame& frame)
 {
-  program->SetUniform3f("textureScale", frame.GetTextureScale().data());
-  program->SetUniform3f("textureBias", frame.GetTextureBias().data());
-  program->SetUniform3f("cropLow", frame.GetCropLow().data());
-  program->SetUniform3f("cropHigh", frame.GetCropHigh().data());
-  program->SetUniform3f("voxelStep", frame.GetVoxelStep().data());
+  program->SetUniform3f("textureScale", frame.TextureScale.data());
+  program->SetUniform3f("textureBias", frame.TextureBias.data());
+  program->SetUniform3f("cropLow", frame.CropLow.data());
+  program->SetUniform3f("cropHigh", frame.CropHigh.data());
+  program->SetUniform3f("voxelStep", frame.VoxelStep.data());
   program->SetUniform4f("stair", frame.GetStair().data());
-  program->SetUniform3f("inverseAspect", frame.GetInverseAspect().data());
+  program->SetUniform3f("inverseAspect", frame.InverseAspect.data());
 }
 
 /// Columns of a matrix that takes a pixel to a place, or with a bias of 0 a way, in the texture.
@@ -56,17 +57,17 @@ std::array<float, 9> ToTexture(const vtkTextureSlicePixelMap& map,
 }
 
 /// The rays, and where they begin and end.
-void SetRays(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms)
+void SetRays(vtkShaderProgram* program, const vtkTextureSliceParts& uniforms)
 {
   const vtkTextureSliceFrame& frame = uniforms.Frame;
   const vtkTextureSlicePlanes& planes = uniforms.Planes;
-  const auto& scale = frame.GetTextureScale();
-  const auto& bias = frame.GetTextureBias();
+  const auto& scale = frame.TextureScale;
+  const auto& bias = frame.TextureBias;
   auto places = ToTexture(planes.GetPlaces(), scale, bias);
   auto steps = ToTexture(planes.GetSteps(), scale, {});
   program->SetUniformMatrix3x3("placeOfPixel", places.data());
   program->SetUniformMatrix3x3("stepOfPixel", steps.data());
-  const auto& part = frame.GetView().Part;
+  const auto& part = frame.View.Part;
   std::array<float, 3> low{};
   std::array<float, 3> high{};
   std::array<float, 3> toUnits{};
@@ -88,15 +89,15 @@ void SetRays(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms)
     program->SetUniform4fv(
       "clippingPlanes", static_cast<int>(clipping.size() / 4), clipping.data());
   }
-  if (frame.GetView().Plane)
+  if (frame.View.Plane)
   {
-    program->SetUniform4f("slicePlane", frame.ToTexture(*frame.GetView().Plane).data());
+    program->SetUniform4f("slicePlane", frame.ToTexture(*frame.View.Plane).data());
   }
 }
 
 } // namespace
 
-std::vector<std::pair<const char*, vtkTextureObject*>> vtkTextureSliceUniforms::FindTextures() const
+std::vector<std::pair<const char*, vtkTextureObject*>> vtkTextureSliceParts::FindTextures()
 {
   const vtkTextureSliceFeatures& features = this->Features;
   std::vector<std::pair<const char*, vtkTextureObject*>> textures;
@@ -116,23 +117,26 @@ std::vector<std::pair<const char*, vtkTextureObject*>> vtkTextureSliceUniforms::
   add(features.HasMask(), "maskTexture", this->Mask.GetTexture());
   add(features.Labels > 0, "labelTable", this->LabelTable.GetTexture());
   add(features.Shadows, "lightTexture", this->Shadows.GetTexture());
-  add(features.NeedsDepth(), "geometryDepth", this->GeometryDepth);
-  add(features.Skipping, "distanceMap", this->Distances->GetTexture());
+  add(features.NeedsDepth(), "geometryDepth", this->Target.GetGeometryDepth());
+  add(features.Skipping, "distanceMap", this->EmptySpace.GetDistances().GetTexture());
   add(features.Slabs, "integralTable", this->Integrals.GetTexture());
   add(
     features.Slabs && features.Labels > 0, "labelIntegralTable", this->LabelIntegrals.GetTexture());
   return textures;
 }
 
-void vtkTextureSliceUniforms::SetParts(vtkShaderProgram* program) const
+void vtkTextureSliceParts::SetUniforms(vtkShaderProgram* program)
 {
+  SetRays(program, *this);
+  SetFrame(program, this->Frame);
+  SetSurfaces(program, this->Surfaces);
   // What a shader does not have, VTK passes over.
   const vtkTextureSliceFeatures& features = this->Features;
   this->Request.SetUniforms(this->Texture.GetComponents(), program);
   program->SetUniformi("cropFlags", this->CropFlags);
   this->Table.SetUniforms("table", program);
   this->Blanks.SetUniforms(program);
-  this->Distances->SetUniforms(program, this->Frame);
+  this->EmptySpace.GetDistances().SetUniforms(program, this->Frame);
   if (features.Labels > 0)
   {
     this->LabelTable.SetUniforms("labelTable", program);
@@ -158,8 +162,7 @@ void vtkTextureSliceUniforms::SetParts(vtkShaderProgram* program) const
   }
 }
 
-void vtkTextureSliceUniforms::Use(
-  vtkShaderProgram* program, const std::function<void()>& draw) const
+void vtkTextureSliceParts::DrawWith(vtkShaderProgram* program, const std::function<void()>& draw)
 {
   const auto textures = this->FindTextures();
   for (const auto& [sampler, texture] : textures)
@@ -167,11 +170,121 @@ void vtkTextureSliceUniforms::Use(
     texture->Activate();
     program->SetUniformi(sampler, texture->GetTextureUnit());
   }
-  SetRays(program, *this);
-  SetFrame(program, this->Frame);
-  SetSurfaces(program, this->Surfaces);
-  this->SetParts(program);
+  this->SetUniforms(program);
   draw();
   std::for_each(
     textures.rbegin(), textures.rend(), [](const auto& named) { named.second->Deactivate(); });
+}
+
+bool vtkTextureSliceParts::IsNews(std::string& last, const std::string& message)
+{
+  const bool news = last != message;
+  last = message;
+  return news && !message.empty();
+}
+
+void vtkTextureSliceParts::Release(vtkOpenGLRenderWindow* window)
+{
+  if (window == nullptr)
+  {
+    return;
+  }
+  window->PushContext();
+  for (vtkTextureObject* texture : {this->Texture.GetTexture(), this->Table.GetTexture(),
+         this->Table2D.GetTexture(), this->Mask.GetTexture(), this->SecondArray.GetTexture(),
+         this->Blanks.GetTexture(), this->Coordinates.GetTexture(), this->LabelTable.GetTexture(),
+         this->Shadows.GetTexture(), this->Integrals.GetTexture(),
+         this->LabelIntegrals.GetTexture(), this->EmptySpace.GetDistances().GetTexture()})
+  {
+    texture->ReleaseGraphicsResources(window);
+  }
+  this->Target.ReleaseGraphicsResources(window);
+  this->Ways.ReleaseGraphicsResources(window);
+  window->PopContext();
+  this->Window = nullptr;
+}
+
+void vtkTextureSliceParts::Use(vtkOpenGLRenderWindow* window)
+{
+  if (this->Window != window)
+  {
+    this->Release(this->Window);
+  }
+  this->Window = window;
+  window->MakeCurrent();
+}
+
+bool vtkTextureSliceParts::UpdateVolume(bool cellData, vtkDataArray* second, std::string& error)
+{
+  // As in VTK's ray caster, "nearest" holds for the tables as well as for the volume.
+  const bool nearest = this->Request.IsNearest();
+  if (this->Coordinates.IsUsed())
+  {
+    this->Coordinates.Update(this->Window);
+  }
+  auto source = vtkTextureSliceScalars::Find(this->Image, this->Scalars, cellData);
+  source.Places = this->Coordinates.GetPlaces();
+  return this->Texture.Update(this->Window, source, nearest, error) &&
+         this->Blanks.Update(this->Window, this->Image, cellData, error) &&
+         (second == nullptr ||
+           this->SecondArray.Update(this->Window,
+             vtkTextureSliceScalars::Find(this->Image, second, cellData), nearest, error)) &&
+         this->UpdateTables(nearest, error);
+}
+
+bool vtkTextureSliceParts::UpdateTables(bool nearest, std::string& error)
+{
+  const auto& components = this->Texture.GetComponents();
+  const vtkTextureSliceFeatures features = this->Request.GetFeatures();
+  this->Table.Update(this->Window, this->Request.MakeRows(components), nearest);
+  if (features.Labels > 0)
+  {
+    this->LabelTable.Update(this->Window, this->Request.MakeLabelRows(components), nearest);
+  }
+  return !features.Table2D ||
+         this->Table2D.Update(this->Window, this->Request.MakeTables2D(), nearest, error);
+}
+
+void vtkTextureSliceParts::UpdateIntegrals()
+{
+  double unitDistance = 0.0; // the longest
+  for (const vtkTextureSliceSurface& surface : this->Surfaces)
+  {
+    unitDistance = std::max(unitDistance, 1.0 / static_cast<double>(surface.InverseUnitDistance));
+  }
+  const double slab = this->Planes.GetDataStep();
+  const double mostDepth = vtkTextureSliceIntegralTable::ChooseMostDepth(slab / unitDistance);
+  const int dimensions = this->Features.GetIntegralDimensions();
+  this->Integrals.Update(
+    this->Window, this->Table, this->Features.Functions, dimensions, mostDepth);
+  if (this->Features.Labels > 0)
+  {
+    this->LabelIntegrals.Update(
+      this->Window, this->LabelTable, this->Features.Labels, dimensions, mostDepth);
+  }
+}
+
+bool vtkTextureSliceParts::Draw(std::string& error)
+{
+  if (!this->Ways.Choose(*this))
+  {
+    error = "OpenGL could not compile the shaders of the slices";
+    return false;
+  }
+  if (!this->Target.Begin(this->Window, this->PixelSize, this->Features.NeedsDepth(),
+        this->Ways.NeedsFullPrecision() || this->Features.Places, error))
+  {
+    return false;
+  }
+  if (this->Features.Slabs)
+  {
+    this->UpdateIntegrals();
+  }
+  if (this->Features.Skipping)
+  {
+    this->EmptySpace.GetDistances().Upload(this->Window);
+  }
+  this->Ways.Draw(*this);
+  this->Target.End();
+  return true;
 }

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The transfer functions as tables: colour and opacity, their integrals, and which scalars they
+// show.
+#ifndef vtkTextureSliceTables_h
+#define vtkTextureSliceTables_h
+
+#include "vtkNew.h"
+#include "vtkNexradRenderingModule.h" // for the export macro
+#include "vtkTextureObject.h"
+#include "vtkTimeStamp.h"
+#include "vtkType.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+class vtkColorTransferFunction;
+class vtkImageData;
+class vtkOpenGLRenderWindow;
+class vtkPiecewiseFunction;
+class vtkShaderProgram;
+
+/**
+ * Tells at once, whatever the range, whether an opacity function shows any scalar of it. It keeps
+ * how many entries of the function's table before each one are visible. Scalars are 0 at the first
+ * entry and 1 at the last.
+ */
+class vtkTextureSliceVisibility
+{
+public:
+  /// @param opacities one for each entry; those above 0 are visible.
+  explicit vtkTextureSliceVisibility(const std::vector<float>& opacities)
+  {
+    for (const float opacity : opacities)
+    {
+      this->VisibleBefore.push_back(this->VisibleBefore.back() + (opacity > 0.0f ? 1 : 0));
+    }
+  }
+
+  /// Whether a scalar from low to high can be visible, its neighbours in the table included.
+  bool IsVisible(double low, double high) const
+  {
+    constexpr double lookupError = 0.02; // of the graphics hardware, in entries
+    // An entry's influence reaches to its neighbours; beyond the ends the last ones hold.
+    const double last = static_cast<double>(this->VisibleBefore.size() - 2);
+    const double first = std::clamp(low * last - lookupError, 0.0, last);
+    const double end = std::clamp(high * last + lookupError + 1.0, 0.0, last);
+    return low <= high && this->VisibleBefore[static_cast<std::size_t>(end) + 1] >
+                            this->VisibleBefore[static_cast<std::size_t>(first)];
+  }
+
+private:
+  /// Visible entries before each one; one more than there are entries.
+  std::vector<std::size_t> VisibleBefore{0};
+};
+
+/// A function over the range of a component, and whether its own range clamps the scalar first
+/// (vtkGPUVolumeRayCastMapper::NATIVE).
+struct vtkTextureSliceDomain
+{
+  std::array<double, 2> Range{0.0, 1.0};
+  bool Native = false;
+};
+
+/// The functions of one row.
+struct vtkTextureSliceRow
+{
+  /// Colour: one of the two, or neither for white.
+  vtkColorTransferFunction* Color = nullptr;
+  vtkPiecewiseFunction* Gray = nullptr;
+  vtkTextureSliceDomain ColorDomain;
+  /// nullptr: 1 everywhere.
+  vtkPiecewiseFunction* Opacity = nullptr;
+  vtkTextureSliceDomain OpacityDomain;
+  /// Whether the texture holds optical depths in place of opacities.
+  bool OpticalDepth = false;
+};
+
+/**
+ * Rows of functions, all of one width. Entry i of n stands for the scalar
+ * low + i*(high - low)/(n - 1) of its domain; its colour is not yet multiplied with its opacity,
+ * which is that of one unit distance. A single row is a 1-D texture, several are a 2-D one.
+ */
+class vtkTextureSliceTable
+{
+public:
+  /// Brings rows of RGBA texels into a texture of one dimension (of a single row) or two.
+  static void Upload(
+    vtkTextureObject* texture, int dimensions, std::size_t rows, const std::vector<float>& texels);
+
+  /**
+   * Fills and uploads the table if the functions, the ranges or the window changed.
+   * @param nearest whether entries are not interpolated.
+   */
+  void Update(
+    vtkOpenGLRenderWindow* window, const std::vector<vtkTextureSliceRow>& rows, bool nearest);
+
+  vtkTextureObject* GetTexture() const { return this->Texture; }
+  /// Where a row's opacity is above 0, over its domain as 0 to 1.
+  const vtkTextureSliceVisibility& GetVisibility(std::size_t row) const
+  {
+    return this->Visibilities[row];
+  }
+  /// Opacities of a row over its domain, or optical depths of a unit distance for each factor of 2
+  /// that it weakens what is behind (Formulas R1). Their number does not depend on colours.
+  const std::vector<float>& GetOpacities(std::size_t row) const { return this->Opacities[row]; }
+  /// When the rows were filled last.
+  vtkMTimeType GetFillTime() const { return this->FillTime.GetMTime(); }
+  /// RGBA of the entries of a row as they are in the texture.
+  const float* GetEntries(std::size_t row) const
+  {
+    return this->Entries.data() + row * this->GetWidth() * 4;
+  }
+  /// Entries of a row.
+  std::size_t GetWidth() const { return this->Entries.size() / (4 * this->Last.size()); }
+  /// Sets NAMEScale and NAMEBias: the texture coordinate of a scalar that is s of the way through
+  /// its domain (0 to 1) is s * scale + bias (Formulas R2).
+  void SetUniforms(const std::string& name, vtkShaderProgram* program) const;
+
+private:
+  /// What a row is made from; pointers are compared, never followed.
+  using Key = std::tuple<std::array<const void*, 3>, std::array<vtkMTimeType, 3>,
+    std::array<double, 2>, bool, std::array<double, 2>, bool, bool>;
+  static Key MakeKey(const vtkTextureSliceRow& row);
+  void Fill(const std::vector<vtkTextureSliceRow>& rows, std::size_t width);
+  void FillOpacities(vtkOpenGLRenderWindow* window, std::vector<vtkTextureSliceRow> rows);
+
+  vtkNew<vtkTextureObject> Texture;
+  std::vector<float> Entries;
+  std::vector<std::vector<float>> Opacities;           ///< one for each row
+  std::vector<vtkTextureSliceVisibility> Visibilities; ///< one for each row
+  vtkTimeStamp FillTime;
+  std::vector<Key> Last; ///< one for each row that the texture was made from
+};
+
+/**
+ * Two-dimensional transfer functions as vtkVolumeProperty holds them: images of four floats (red,
+ * green, blue, opacity of one unit distance), scalars to the right over their range, gradient
+ * magnitude upwards. Several images are stacked, the first below, and must have one size.
+ */
+class vtkTextureSliceTable2D
+{
+public:
+  /**
+   * Uploads the images if they or the window changed.
+   * @return false, with one line in @a error, if they cannot be used.
+   */
+  bool Update(vtkOpenGLRenderWindow* window, const std::vector<vtkImageData*>& images, bool nearest,
+    std::string& error);
+
+  vtkTextureObject* GetTexture() const { return this->Texture; }
+  /// Rows of one image.
+  int GetNumberOfRows() const { return this->Rows; }
+  /// Entries of a row.
+  int GetWidth() const { return this->Width; }
+  /// Where an image's opacity is above 0 at some gradient magnitude, over the scalars as 0 to 1.
+  const vtkTextureSliceVisibility& GetVisibility(std::size_t image) const
+  {
+    return this->Visibilities[image];
+  }
+  /// When the images were read last.
+  vtkMTimeType GetFillTime() const { return this->FillTime.GetMTime(); }
+
+private:
+  bool Upload(const std::vector<vtkImageData*>& images);
+  void IndexOpacities(const std::vector<float>& entries, std::size_t images);
+
+  vtkNew<vtkTextureObject> Texture;
+  int Rows = 0;
+  int Width = 0;
+  std::vector<vtkTextureSliceVisibility> Visibilities; ///< one for each image
+  vtkTimeStamp FillTime;
+  /// The images and when they changed; pointers are compared, never followed.
+  std::vector<std::pair<const void*, vtkMTimeType>> Last;
+};
+
+/**
+ * The tables of pre-integrated classification (Formulas L1), one row for each of the first rows of
+ * a vtkTextureSliceTable, which must hold optical depths. Alpha is K, the integral of the optical
+ * depth of a unit distance from the first entry on; red, green and blue are K_c, the integral of
+ * that depth times the colour (trapezoidal rule). Between two entries of the functions, depth and
+ * colour count as linear. The integrals are counted in their own entries, so that the difference of
+ * two entries over the number of entries between them is a depth.
+ *
+ * The shader reads single entries, which costs half of interpolating two. The integrals therefore
+ * have three entries between each two of functions that have 2048 entries or fewer.
+ */
+class VTKNEXRADRENDERING_EXPORT vtkTextureSliceIntegralTable
+{
+public:
+  /**
+   * Fills and uploads the integrals if the table, the limit or the window changed.
+   * @param rows of @a table to integrate.
+   * @param dimensions of the texture: 1 (for a single row) or 2.
+   * @param mostDepth depths count as at most this: differences of large sums lose precision.
+   */
+  void Update(vtkOpenGLRenderWindow* window, const vtkTextureSliceTable& table, int rows,
+    int dimensions, double mostDepth);
+
+  vtkTextureObject* GetTexture() const { return this->Texture; }
+  /// Sets the number of the last entry of a row.
+  void SetUniforms(const char* name, vtkShaderProgram* program) const;
+
+  /// Entries of a row for functions of so many entries.
+  static std::size_t ChooseWidth(std::size_t entries);
+
+  /**
+   * A limit for Update at which a slab of that many unit distances is still opaque: a power of two,
+   * so that it stays the same while the camera moves a little.
+   */
+  static double ChooseMostDepth(double unitsOfSlab);
+
+  /**
+   * Integrates one row.
+   * @param entries RGBA of @a width entries, alpha an optical depth.
+   * @param integrals ChooseWidth(width) entries.
+   */
+  static void Integrate(
+    const float* entries, std::size_t width, double mostDepth, float* integrals);
+
+private:
+  /// When the table was filled, rows, dimensions and limit of depth.
+  using Key = std::tuple<vtkMTimeType, int, int, double>;
+
+  vtkNew<vtkTextureObject> Texture;
+  std::size_t Width = 0;
+  Key Last{};
+};
+
+#endif

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The ways to draw the same picture of the volume, and which of them draws it.
+#ifndef vtkTextureSliceWays_h
+#define vtkTextureSliceWays_h
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+
+class vtkOpenGLRenderWindow;
+class vtkOpenGLVertexArrayObject;
+class vtkShaderProgram;
+class vtkTextureObject;
+struct vtkTextureSliceFrame;
+struct vtkTextureSliceParts;
+
+/// A fragment shader that runs for each pixel of the volume's box.
+class vtkTextureSliceBox
+{
+public:
+  vtkTextureSliceBox();
+  ~vtkTextureSliceBox();
+
+  /**
+   * Makes the shader the current one.
+   * @param key what the shader depends on: it is made anew when this changes.
+   * @return nullptr if it does not compile
+   */
+  vtkShaderProgram* Ready(vtkOpenGLRenderWindow* window, const std::string& key,
+    const std::function<std::string()>& makeShader);
+  /**
+   * After Ready.
+   * @param seen the part of the box whose pixels are drawn: lower x, upper x, lower y and so on.
+   * @param times how often, one after the other: the shader gets the number as "slice".
+   */
+  void Draw(const vtkTextureSliceFrame& frame, const std::array<double, 6>& seen, int times = 1);
+  void ReleaseGraphicsResources();
+
+private:
+  vtkNew<vtkOpenGLVertexArrayObject> VertexArray; ///< OpenGL draws with one, although it is empty
+  vtkOpenGLRenderWindow* Window = nullptr;
+  vtkShaderProgram* Program = nullptr; ///< the shader cache owns it
+  std::string Key;
+};
+
+/// Pixels of a picture: lower left column and row, then the column and the row where they end.
+using vtkTextureSlicePixels = std::array<int, 4>;
+
+/**
+ * VTK 9.1 has no class for compute shaders. The program here is a vtkShaderProgram, so that VTK's
+ * record of the current program and its functions for uniforms hold for it too.
+ */
+class vtkTextureSliceCompute
+{
+public:
+  /// Whether the context that is current has compute shaders (OpenGL 4.3, or 4.2 with
+  /// ARB_compute_shader), large enough groups, and can store into a picture of 16-bit floats.
+  static bool IsSupported();
+
+  /**
+   * Makes the shader the current one.
+   * @param key what the shader depends on: each key has a program, until the release.
+   * @param makeShader returns a shader like TextureSliceCS, whose version is put in here.
+   * @return nullptr if it does not compile
+   */
+  vtkShaderProgram* Ready(vtkOpenGLRenderWindow* window, const std::string& key,
+    const std::function<std::string()>& makeShader);
+  /// After Ready: stores into those pixels of a picture of 16-bit floats, which may be read
+  /// afterwards.
+  void Dispatch(vtkTextureObject* picture, const vtkTextureSlicePixels& pixels);
+  void ReleaseGraphicsResources(vtkOpenGLRenderWindow* window);
+
+  /// The smallest rectangle with all pixels of a part of the box (lower x, upper x, lower y and so
+  /// on) in a picture of that size; the whole picture where a corner is not in front of the eye.
+  static vtkTextureSlicePixels FindPixels(const vtkTextureSliceFrame& frame,
+    const std::array<double, 6>& part, const std::array<int, 2>& size);
+
+private:
+  std::map<std::string, vtkSmartPointer<vtkShaderProgram>> Programs;
+  vtkShaderProgram* Program = nullptr; ///< that is ready
+};
+
+/**
+ * For each pixel, one fragment or one invocation of a compute shader goes along the pixel's ray.
+ * Polygons are slices as graphics cards have drawn them since they have textures: the outline of
+ * the volume's box once a plane, the nearest plane first, each blended behind those before. A
+ * fragment is then the one sample of its ray on that plane. This is what the other ways are
+ * compared with, and what is left where their shaders do not compile. Polygons draw composite
+ * blending of samples alone; of a ray that is shorter than two slices they have the samples on
+ * planes alone.
+ */
+class vtkTextureSliceWays
+{
+public:
+  /// The values are those of vtkOpenGLTextureSliceVolumeMapper::Ways.
+  enum Way
+  {
+    Automatic, ///< fragments, or compute where it is much faster
+    Fragments,
+    Compute,
+    Polygons ///< what they cannot draw is drawn as by Automatic
+  };
+
+  /**
+   * Chooses the way of the next picture and makes its shader ready.
+   * @return false if there is none whose shaders compile
+   */
+  bool Choose(const vtkTextureSliceParts& parts);
+  /// That of the last picture; Automatic: there was none.
+  Way GetDrawn() const { return this->Drawn; }
+  /// Why the last picture was not drawn as asked for, in one line; or an empty text.
+  const std::string& GetFallback() const { return this->Fallback; }
+  /// Whether the picture must have 32-bit floats: polygons round hundreds of samples in it, one
+  /// after the other.
+  bool NeedsFullPrecision() const { return this->Drawn == Polygons; }
+  /// After Choose: draws the picture, which is bound.
+  void Draw(vtkTextureSliceParts& parts);
+
+  void ReleaseGraphicsResources(vtkOpenGLRenderWindow* window);
+
+private:
+  /// What the environment variable VTK_TEXTURE_SLICE_WAY names takes precedence over @a asked.
+  Way FindAsked(Way asked);
+  /// What Automatic stands for. The first picture is drawn by fragments where there was no trial
+  /// yet, because a trial takes longer than a program with one picture can gain by it.
+  Way ChooseByTrial();
+  /// @param instead says what draws the volume where the shader of that way does not compile.
+  bool Ready(Way way, const vtkTextureSliceParts& parts, const char* instead);
+  /// Draws those pixels by the shader that is ready.
+  void DrawPixels(Way way, vtkTextureSliceParts& parts, const vtkTextureSlicePixels& pixels);
+  /// Times fragments and compute with a part of the picture that is drawn next.
+  void RunTrial(vtkTextureSliceParts& parts, const vtkTextureSlicePixels& pixels);
+
+  vtkTextureSliceBox Box; ///< of fragments and polygons
+  vtkTextureSliceCompute ComputeShaders;
+  vtkShaderProgram* Program = nullptr; ///< that is ready
+  Way Drawn = Automatic;
+  bool IsTrialDue = false; ///< with the next picture
+  std::string Fallback;
+  std::set<std::string> Failed; ///< shaders that do not compile are not tried in each frame
+};
+
+#endif
