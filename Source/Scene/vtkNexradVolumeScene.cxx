@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradVolumeScene.h"
 
+#include "Scene/DrawingSettings.h"
 #include "Scene/EchoFraming.h"
+#include "Scene/Frame/VolumeInformation.h"
 #include "Scene/RadarScene.h"
 #include "nexrad/System/Error.h"
 
@@ -16,7 +18,6 @@
 #include <array>
 #include <cmath>
 #include <exception>
-#include <filesystem>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -24,9 +25,7 @@
 
 using nexrad::scene::CameraView;
 using nexrad::scene::EchoExtent;
-using nexrad::scene::FrameChoice;
 using nexrad::scene::LookAt;
-using nexrad::scene::MapperChoice;
 using nexrad::scene::PlanLevel;
 using nexrad::scene::PlanOptions;
 using nexrad::scene::RadarScene;
@@ -177,10 +176,6 @@ double ValueOf(const std::optional<double>& held)
 {
   return held.value_or(0.0);
 }
-std::string ValueOf(const std::filesystem::path& held)
-{
-  return held.string();
-}
 template <typename Held>
 const Held& ValueOf(const Held& held)
 {
@@ -193,10 +188,11 @@ std::optional<double> Automatic(double value)
   return value > 0.0 ? std::optional(std::min(value, 1000.0)) : std::nullopt;
 }
 
-template <typename Choice>
-Choice ChoiceOf(int value, int last)
+const nexrad::Setting<nexrad::scene::DrawingOptions>* FindOption(const char* key)
 {
-  return static_cast<Choice>(std::clamp(value, 0, last));
+  const auto* setting = nexrad::FindSetting(nexrad::scene::DrawingSettings(), key);
+  const bool has = setting != nullptr && setting->use != nexrad::SettingUse::Program;
+  return has ? setting : nullptr;
 }
 
 } // namespace
@@ -211,7 +207,8 @@ void vtkNexradVolumeScene::Set(Held& held, const Value& value)
   }
 }
 
-// Each setting: its name, its type in VTK, where it is held, and what becomes of a `value`.
+// Settings that programs set by hand: the name, the type in VTK, where it is held, and what becomes
+// of a `value`. All others are set by their keys.
 // clang-format off
 #define NEXRAD_SCENE_SETTINGS(SETTING) \
   SETTING(Azimuth, double, view.azimuth, value) \
@@ -219,26 +216,14 @@ void vtkNexradVolumeScene::Set(Held& held, const Value& value)
   SETTING(Zoom, double, view.zoom, std::clamp(value, 0.01, 1000.0)) \
   SETTING(ParallelProjection, bool, view.parallel, value) \
   SETTING(Preset, std::string, options.preset, value) \
-  SETTING(ColorFileName, std::string, options.colours, value) \
-  SETTING(OpacityFileName, std::string, options.opacities, value) \
   SETTING(ColorArray, std::string, options.colourBy, value) \
   SETTING(Exaggeration, double, options.exaggeration, Automatic(value)) \
-  SETTING(Framing, int, options.framing, ChoiceOf<FrameChoice>(value, DOMAIN)) \
-  SETTING(OpacityDistance, double, options.opacityDistance, Automatic(value)) \
-  SETTING(Mapper, int, options.mapper, ChoiceOf<MapperChoice>(value, RAY_CAST)) \
-  SETTING(PreIntegration, bool, options.preIntegration, value) \
-  SETTING(LinearInterpolation, bool, options.linearInterpolation, value) \
   SETTING(NumberOfSlices, int, options.slices, std::clamp(value, 0, 16384)) \
   SETTING(ShadowStrength, double, options.light.shadow, std::clamp(value, 0.0, 1.0)) \
   SETTING(OcclusionStrength, double, options.light.occlusion, std::clamp(value, 0.0, 1.0)) \
-  SETTING(LightAzimuth, double, options.light.direction.azimuth, value) \
-  SETTING(LightElevation, double, options.light.direction.elevation, std::clamp(value, -90.0, 90.0)) \
-  SETTING(Theme, int, options.theme, ChoiceOf<ThemeChoice>(value, LIGHT)) \
-  SETTING(HeightWalls, bool, options.heightWalls, value) \
-  SETTING(PlaceNames, bool, options.placeNames, value) \
+  SETTING(Theme, int, options.theme, static_cast<ThemeChoice>(std::clamp<int>(value, DARK, LIGHT))) \
   SETTING(Plan, int, plan, std::clamp<int>(value, NO_PLAN, LIQUID_DENSITY)) \
   SETTING(PlanHeight, double, map.height, value) \
-  SETTING(EchoTopThreshold, double, map.threshold, value) \
   SETTING(PlanArray, std::string, map.array, value)
 // clang-format on
 
@@ -253,14 +238,56 @@ void vtkNexradVolumeScene::Set(Held& held, const Value& value)
   }
 NEXRAD_SCENE_SETTINGS(NEXRAD_SET_AND_GET)
 
-double vtkNexradVolumeScene::GetRingSpacing() const
+nexrad::scene::DrawingOptions vtkNexradVolumeScene::Asked() const
 {
-  return this->Wanted->options.ringSpacing;
+  nexrad::scene::DrawingOptions asked;
+  asked.camera = this->Wanted->view;
+  asked.scene = this->GetOptions();
+  return asked;
 }
 
-int vtkNexradVolumeScene::GetNumberOfIsoValues() const
+void vtkNexradVolumeScene::SetOption(const char* key, const char* text)
 {
-  return static_cast<int>(this->Wanted->options.isoValues.size());
+  const auto* setting = FindOption(key);
+  if (setting == nullptr)
+  {
+    vtkErrorMacro("there is no option " << key << "; GetOptionTable lists them");
+    return;
+  }
+  try
+  {
+    nexrad::scene::DrawingOptions asked = this->Asked();
+    nexrad::SetText(*setting, *text == 0 ? setting->usual : text, asked);
+    this->SetOptions(asked.scene);
+    this->SetView(asked.camera);
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+  }
+}
+
+void vtkNexradVolumeScene::SetOption(const char* key, double number)
+{
+  const auto* setting = FindOption(key);
+  this->SetOption(key, setting != nullptr ? setting->TextOf(number).c_str() : "");
+}
+
+std::string vtkNexradVolumeScene::GetOption(const char* key) const
+{
+  const auto* setting = FindOption(key);
+  nexrad::scene::DrawingOptions asked = this->Asked();
+  if (this->Volume != nullptr && asked.scene.cut.unit == nexrad::PlaceUnit::OfVolume)
+  {
+    asked.scene.cut.unit = nexrad::scene::PlaceUnitOf(this->Volume);
+  }
+  return setting != nullptr ? setting->text(asked) : "";
+}
+
+std::string vtkNexradVolumeScene::GetOptionTable()
+{
+  const auto& table = nexrad::scene::DrawingSettings();
+  return nexrad::SettingsJson({table.begin(), table.end()});
 }
 
 SceneOptions vtkNexradVolumeScene::GetOptions() const
@@ -419,34 +446,6 @@ void vtkNexradVolumeScene::MarkBox(double west, double east, double south, doubl
 void vtkNexradVolumeScene::MarkNoBox()
 {
   this->Set(this->Wanted->mark, std::nullopt);
-}
-
-void vtkNexradVolumeScene::SetRingSpacing(double spacing)
-{
-  if (!(spacing == 0.0 || spacing >= 1000.0))
-  {
-    vtkErrorMacro("ring spacing " << spacing << ": set 0 for no rings, or at least 1000 m");
-    return;
-  }
-  this->Set(this->Wanted->options.ringSpacing, spacing);
-}
-
-void vtkNexradVolumeScene::AddIsoValue(double value, double opacity)
-{
-  if (!std::isfinite(value) || !(opacity <= 1.0))
-  {
-    vtkErrorMacro("iso-value " << value << " of opacity " << opacity
-                               << ": set a finite value, and an opacity up to 1");
-    return;
-  }
-  this->Wanted->options.isoValues.push_back(
-    {value, opacity < 0.0 ? std::nullopt : std::optional(opacity)});
-  this->Modified();
-}
-
-void vtkNexradVolumeScene::RemoveAllIsoValues()
-{
-  this->Set(this->Wanted->options.isoValues, std::vector<nexrad::scene::IsoValue>());
 }
 
 void vtkNexradVolumeScene::AddToFrame(vtkImageData* volume)
@@ -687,11 +686,10 @@ void vtkNexradVolumeScene::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Renderer: " << this->Renderer.Get() << "\n";
   os << indent << "Volume: " << this->Volume.Get() << "\n";
   os << indent << "Detail: " << this->Detail.Get() << "\n";
-#define NEXRAD_PRINT(name, type, held, wanted)                                                     \
-  os << indent << #name << ": " << this->Get##name() << "\n";
-  NEXRAD_SCENE_SETTINGS(NEXRAD_PRINT)
-  os << indent << "RingSpacing: " << this->GetRingSpacing() << "\n";
-  os << indent << "IsoValues: " << this->GetNumberOfIsoValues() << "\n";
+  for (const auto& setting : nexrad::scene::DrawingSettings())
+  {
+    os << indent << setting.key << ": " << this->GetOption(setting.key.c_str()) << "\n";
+  }
   os << indent << "MarksBox: " << this->Wanted->mark.has_value() << "\n";
   os << indent << "LooksAtPlace: " << this->Wanted->view.lookAt.has_value() << "\n";
   os << indent << "Cropping: " << (this->Cropping ? "On" : "Off") << "\n";

@@ -89,15 +89,14 @@ class Pictures(unittest.TestCase):
             scene.SetPreset("storm cores")
             scene.SetExaggeration(5.0)
             scene.SetNumberOfSlices(100)
-            scene.PreIntegrationOff()
-            scene.SetRingSpacing(50000.0)
+            scene.SetOption("classification", "sampled")
+            scene.SetOption("rings", 50000.0)
             scene.SetThemeToLight()
-            scene.HeightWallsOff()
-            scene.PlaceNamesOn()
+            scene.SetOption("walls", "off")
+            scene.SetOption("names", "on")
             scene.SetShadowStrength(0.6)
             scene.SetOcclusionStrength(0.4)
-            scene.SetLightAzimuth(300.0)
-            scene.SetLightElevation(30.0)
+            scene.SetOption("light", "300,30")
         self.draw(settings, "--azimuth", "140", "--tilt", "50", "--zoom", "1.5", "--parallel", "--preset",
                   "storm cores", "--exaggeration", "5", "--slices", "100", "--rings", "50km",
                   "--theme", "light", "--no-walls", "--names",

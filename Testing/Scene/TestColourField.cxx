@@ -154,8 +154,8 @@ TEST(ColourField, InOneColourItIsThePictureOfTheMoment)
       [&](vtkNexradVolumeScene* scene)
       {
         scene->SetVolume(image);
-        scene->SetPreIntegration(integrated);
-        scene->SetColorFileName(table);
+        scene->SetOption("classification", integrated ? "pre-integrated" : "sampled");
+        scene->SetOption("colours", table.c_str());
         scene->SetColorArray(array);
       });
   };

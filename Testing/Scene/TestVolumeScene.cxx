@@ -21,6 +21,7 @@
 #include <array>
 #include <cmath>
 #include <iostream>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,7 +57,7 @@ void SetNothing(vtkNexradVolumeScene*) {}
 TEST(VolumeScene, DrawsStormMapAndScales)
 {
   ExpectSceneBaseline(
-    DrawStorm([](vtkNexradVolumeScene* scene) { scene->SetRingSpacing(100e3); }), "Storm");
+    DrawStorm([](vtkNexradVolumeScene* scene) { scene->SetOption("rings", "100km"); }), "Storm");
 }
 
 // The picture: discs of flat colours in the south west of a pale square, seen from above.
@@ -93,7 +94,7 @@ TEST(VolumeScene, DrawsALightTheme)
   {
     UseClassicLook(scene);
     scene->SetThemeToLight();
-    scene->PlaceNamesOn();
+    scene->SetOption("names", "on");
     scene->SetPreset("colour-blind safe");
   };
   ExpectSceneBaseline(DrawStorm(set), "StormLight");
@@ -139,7 +140,7 @@ void SeeFromAbove(vtkNexradVolumeScene* scene)
 {
   UseClassicLook(scene);
   scene->SetCameraFromAbove();
-  scene->HeightWallsOff();
+  scene->SetOption("walls", "off");
 }
 
 // An empty crop box would say that it is empty.
@@ -251,23 +252,19 @@ TEST(VolumeScene, ASettingTakesEffectInTheNextPicture)
     {"projection", [](vtkNexradVolumeScene* scene) { scene->ParallelProjectionOn(); }},
     {"preset", [](vtkNexradVolumeScene* scene) { scene->SetPreset("hail"); }},
     {"exaggeration", [](vtkNexradVolumeScene* scene) { scene->SetExaggeration(2.0); }},
-    {"mapper", [](vtkNexradVolumeScene* scene) { scene->SetMapperToRayCast(); }},
-    {"classification", [](vtkNexradVolumeScene* scene) { scene->PreIntegrationOff(); }},
+    {"mapper", [](vtkNexradVolumeScene* scene) { scene->SetOption("mapper", "ray-cast"); }},
+    {"classification",
+      [](vtkNexradVolumeScene* scene) { scene->SetOption("classification", "sampled"); }},
     {"slices", [](vtkNexradVolumeScene* scene) { scene->SetNumberOfSlices(11); }},
-    {"rings", [](vtkNexradVolumeScene* scene) { scene->SetRingSpacing(50e3); }},
+    {"rings", [](vtkNexradVolumeScene* scene) { scene->SetOption("rings", "50km"); }},
     {"theme", [](vtkNexradVolumeScene* scene) { scene->SetThemeToDark(); }},
-    {"framing",
-      [](vtkNexradVolumeScene* scene) { scene->SetFraming(vtkNexradVolumeScene::DOMAIN); }},
-    {"opacities", [](vtkNexradVolumeScene* scene) { scene->SetOpacityDistance(20.0); }},
-    {"walls", [](vtkNexradVolumeScene* scene) { scene->HeightWallsOff(); }},
+    {"framing", [](vtkNexradVolumeScene* scene) { scene->SetOption("frame", "domain"); }},
+    {"opacities",
+      [](vtkNexradVolumeScene* scene) { scene->SetOption("opacity-distance", "20km"); }},
+    {"walls", [](vtkNexradVolumeScene* scene) { scene->SetOption("walls", "off"); }},
     {"shadow", [](vtkNexradVolumeScene* scene) { scene->SetShadowStrength(0.8); }},
     {"occlusion", [](vtkNexradVolumeScene* scene) { scene->SetOcclusionStrength(0.8); }},
-    {"echo top",
-      [](vtkNexradVolumeScene* scene)
-      {
-        scene->SetPlan(vtkNexradVolumeScene::ECHO_TOP);
-        scene->SetEchoTopThreshold(30.0);
-      }},
+    {"echo top", [](vtkNexradVolumeScene* scene) { scene->SetOption("map", "echo-top:30"); }},
     {"liquid", [](vtkNexradVolumeScene* scene) { scene->SetPlan(vtkNexradVolumeScene::LIQUID); }},
     {"liquid density",
       [](vtkNexradVolumeScene* scene) { scene->SetPlan(vtkNexradVolumeScene::LIQUID_DENSITY); }},
@@ -294,8 +291,7 @@ TEST(VolumeScene, ASettingTakesEffectInTheNextPicture)
       [](vtkNexradVolumeScene* scene)
       {
         scene->SetShadowStrength(0.8);
-        scene->SetLightAzimuth(90.0);
-        scene->SetLightElevation(20.0);
+        scene->SetOption("light", "90,20");
       }},
     {"plan", [](vtkNexradVolumeScene* scene) { scene->SetPlan(vtkNexradVolumeScene::LOWEST); }},
     {"height", [](vtkNexradVolumeScene* scene)
@@ -331,10 +327,8 @@ TEST(VolumeScene, TheVolumeShadesTheGround)
         UseClassicLook(scene);
         scene->SetCameraFromAbove();
         scene->SetShadowStrength(shadow);
-        scene->SetLightAzimuth(225.0);
-        scene->SetLightElevation(20.0);
-        scene->SetMapper(
-          rayCast ? vtkNexradVolumeScene::RAY_CAST : vtkNexradVolumeScene::TEXTURE_SLICE);
+        scene->SetOption("light", "225,20");
+        scene->SetOption("mapper", rayCast ? "ray-cast" : "texture-slice");
       });
   };
   const Picture without = draw(0.0, false);
@@ -414,11 +408,11 @@ TEST(VolumeScene, ChangesOfTheTransferFunctionAreDrawnAndKept)
   EXPECT_AT_LEAST(
     MeanDifference(usual, surface), 1.3, "mean change of the picture by a shell, of 255");
   // What is changed beside them, and a new volume, leave them as they are.
-  scene->SetRingSpacing(100e3);
+  scene->SetOption("rings", "100km");
   scene->SetVolume(MakeStormVolume(true));
   window.Draw();
   EXPECT_EQ(scene->GetTransferFunction(), colors);
-  scene->SetRingSpacing(0.0);
+  scene->SetOption("rings", "0");
   EXPECT_EQ(MeanDifference(window.Draw(), surface), 0.0);
   // The same preset, and another one, begin anew.
   scene->ResetTransferFunction();
@@ -435,8 +429,7 @@ TEST(VolumeScene, DrawsSurfacesOfIsoValues)
   scene->SetVolume(MakeStormVolume(true));
   OffScreenWindow window(scene->GetRenderer(), size);
   const Picture usual = window.Draw();
-  scene->AddIsoValue(45.0);
-  scene->AddIsoValue(20.0, 0.25);
+  scene->SetOption("iso-values", "45,20:0.25");
   const Picture surfaces = window.Draw();
   EXPECT_AT_LEAST(
     MeanDifference(usual, surfaces), 1.3, "mean change of the picture by two surfaces, of 255");
@@ -444,13 +437,13 @@ TEST(VolumeScene, DrawsSurfacesOfIsoValues)
   ASSERT_EQ(colors->GetNumberOfIsoValues(), 2);
   EXPECT_EQ(colors->Evaluate(vtkNexradTransferFunction::OPACITY, 20.0), 0.25);
   EXPECT_EQ(colors->Evaluate(vtkNexradTransferFunction::OPACITY, 45.0), 0.95);
-  scene->RemoveAllIsoValues();
+  scene->SetOption("iso-values", "");
   EXPECT_EQ(MeanDifference(window.Draw(), usual), 0.0);
   vtkNexradMessages messages;
   messages.Watch(scene);
-  scene->AddIsoValue(45.0, 1.5);
+  scene->SetOption("iso-values", "45:1.5");
   EXPECT_EQ(messages.Errors().size(), 1U);
-  EXPECT_EQ(scene->GetNumberOfIsoValues(), 0);
+  EXPECT_EQ(scene->GetOption("iso-values"), "");
 }
 
 TEST(VolumeScene, AnErrorIsReportedOnceAndLeavesThePicture)
@@ -474,9 +467,9 @@ TEST(VolumeScene, AnErrorIsReportedOnceAndLeavesThePicture)
   scene->SetPreset("velocity");
   expectError("'velocity' is of VEL");
   scene->SetPreset("");
-  scene->SetColorFileName("/nonexistent.json");
-  expectError("/nonexistent.json");
-  scene->SetColorFileName("");
+  scene->SetOption("colours", "/dev/null");
+  expectError("/dev/null");
+  scene->SetOption("colours", "");
   scene->SetPlan(vtkNexradVolumeScene::COMPOSITE);
   scene->SetPlanArray("REF_age");
   expectError("no array REF_age");
@@ -488,9 +481,34 @@ TEST(VolumeScene, AnErrorIsReportedOnceAndLeavesThePicture)
   EXPECT_TRUE(scene->Update());
   EXPECT_EQ(MeanDifference(window.Draw(), usual), 0.0);
   EXPECT_TRUE(messages.Errors().empty());
-  scene->SetRingSpacing(10.0);
+  scene->SetOption("rings", "10m");
   EXPECT_EQ(messages.Errors().size(), 1u);
-  EXPECT_EQ(scene->GetRingSpacing(), 0.0);
+  EXPECT_EQ(scene->GetOption("rings"), "0km");
+  messages.Clear();
+  scene->SetOption("ring", "10km");
+  EXPECT_EQ(messages.Errors().size(), 1u);
+}
+
+TEST(VolumeScene, OptionsAreSetByTheirKeys)
+{
+  vtkNew<vtkNexradVolumeScene> scene;
+  scene->SetOption("rings", 50e3);
+  EXPECT_EQ(scene->GetOption("rings"), "50km");
+  scene->SetOption("tilt", "20");
+  EXPECT_EQ(scene->GetTilt(), 20.0);
+  scene->SetTilt(30.0);
+  EXPECT_EQ(scene->GetOption("tilt"), "30");
+  scene->SetOption("walls", 0.0);
+  EXPECT_EQ(scene->GetOption("walls"), "off");
+  scene->SetOption("crop", "-10000m,20km,-1km,1km,0,15km");
+  EXPECT_TRUE(scene->GetCropping());
+  EXPECT_EQ(scene->GetCropBounds()[1], 20e3);
+  EXPECT_EQ(scene->GetOption("crop"), "-10km,20km,-1km,1km,0km,15km");
+  scene->SetOption("crop", "");
+  EXPECT_FALSE(scene->GetCropping());
+  std::ostringstream text;
+  scene->Print(text);
+  EXPECT_NE(text.str().find("rings: 50km\n"), std::string::npos) << text.str();
 }
 
 TEST(VolumeScene, FollowsTheSizeOfItsWindow)

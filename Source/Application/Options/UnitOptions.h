@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Settings/ValueTexts.h"
+#include "nexrad/Settings/Setting.h"
 
 #include <functional>
 #include <string>
@@ -34,6 +34,17 @@ CLI::Option* AddParsedOption(CLI::App& command, const std::string& name, Target&
 template <typename Number>
 CLI::Option* AddNumberOption(CLI::App& command, const std::string& name, Number& value,
   Number least, Number most, const std::string& unit, const std::string& description);
+
+/// The option of a setting, which stores into `settings`. A name with "colour" in it may be written
+/// with "color" as well.
+template <typename Settings>
+CLI::Option* AddSetting(CLI::App& command, const Setting<Settings>& setting, Settings& settings);
+
+/// Once all options are known: throws CLI::ValidationError for a setting that was given and that
+/// the others refuse.
+template <typename Settings>
+void CheckGiven(
+  const CLI::App& command, const SettingTable<Settings>& table, const Settings& settings);
 
 } // namespace nexrad::application
 

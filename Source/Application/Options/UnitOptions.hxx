@@ -43,4 +43,45 @@ CLI::Option* AddNumberOption(CLI::App& command, const std::string& name, Number&
     ->check(CLI::Validator(check, ""));
 }
 
+template <typename Settings>
+CLI::Option* AddSetting(CLI::App& command, const Setting<Settings>& setting, Settings& settings)
+{
+  const auto take = [&setting, &settings](const std::string& text)
+  { SetOption(setting, text, settings); };
+  std::string names = setting.Option();
+  const std::size_t colour = names.find("colour");
+  if (colour != std::string::npos)
+  {
+    names += "," + names.substr(0, colour) + "color" + names.substr(colour + 6);
+  }
+  CLI::Option* option = setting.IsFlag()
+                          ? command.add_flag_callback(
+                              names, [take] { take(""); }, setting.says)
+                          : AddTextOption(command, names, take, setting.value.unit, setting.says);
+  if (!setting.IsFlag() && !setting.Default().empty())
+  {
+    option->default_str(setting.Default());
+  }
+  if (!setting.excludes.empty())
+  {
+    option->excludes(command.get_option("--" + setting.excludes));
+  }
+  return option;
+}
+
+template <typename Settings>
+void CheckGiven(
+  const CLI::App& command, const SettingTable<Settings>& table, const Settings& settings)
+{
+  for (const Setting<Settings>& setting : table)
+  {
+    const std::string refusal = setting.refusal(settings);
+    if (!refusal.empty() && command.get_option_no_throw(setting.Option()) != nullptr &&
+        command.count(setting.Option()) > 0)
+    {
+      throw CLI::ValidationError(setting.Option(), refusal);
+    }
+  }
+}
+
 } // namespace nexrad::application

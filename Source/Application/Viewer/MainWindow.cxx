@@ -413,10 +413,9 @@ void MainWindow::ShowVolume(vtkImageData* volume)
 {
   if (first) // the settings that depend on what the volume holds
   {
-    view->Scene()->SetPreset(opened.drawing.scene.preset);
-    view->Scene()->SetColorFileName(opened.drawing.scene.colours.string());
-    view->Scene()->SetOpacityFileName(opened.drawing.scene.opacities.string());
-    view->Scene()->SetColorArray(opened.drawing.scene.colourBy);
+    scene::SceneOptions options = WithColoursOf(view->Scene()->GetOptions(), opened.drawing.scene);
+    options.isoValues = view->Scene()->GetOptions().isoValues; // set once the volume is there
+    view->Scene()->SetOptions(options);
     if (other && view->Scene()->GetVolume() && !SamePlace(view->Scene()->GetVolume(), volume))
     {
       view->LeavePlace();

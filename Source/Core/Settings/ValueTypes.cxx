@@ -99,6 +99,34 @@ ValueType<int> NumberValue(int least, int most)
     [](int number) { return std::to_string(number); }};
 }
 
+ValueType<double> RealValue(
+  double least, double most, const std::string& unit, const std::string& refusal)
+{
+  const std::string wrong =
+    !refusal.empty() ? refusal
+                     : "is no number from " + NumberText(least) + " to " + NumberText(most);
+  const auto parse = [least, most, wrong](const std::string& text)
+  {
+    double number = 0.0;
+    const char* begin = text.data() + (text[0] == '+' ? 1 : 0);
+    const char* end = text.data() + text.size();
+    const auto [stop, failure] = std::from_chars(begin, end, number);
+    if (failure != std::errc() || stop != end || !(number >= least && number <= most))
+    {
+      throw Error("'" + text + "' " + wrong);
+    }
+    return number;
+  };
+  return {{"real", unit, {}}, parse, NumberText};
+}
+
+ValueType<std::array<int, 2>> PictureSizeValue()
+{
+  return {{"size", "WxH", {}}, ParsePictureSize, [](const std::array<int, 2>& size) {
+            return std::to_string(size[0]) + "x" + std::to_string(size[1]);
+          }};
+}
+
 std::string ListOfChoices(const std::vector<std::string>& names)
 {
   std::string list;

@@ -316,7 +316,7 @@ TEST_F(WindowCuttingTest, TheCropBoxHidesWhatIsOutsideByNumbers)
 {
   this->OpenWide(1);
   vtkNexradVolumeScene* scene = window->View()->Scene();
-  scene->SetFraming(vtkNexradVolumeScene::ECHO);
+  scene->SetOption("frame", "echo");
   EXPECT_TRUE(scene->Update());
   this->Tick("Crop");
   EXPECT_TRUE(scene->GetCropping());
@@ -327,7 +327,7 @@ TEST_F(WindowCuttingTest, TheCropBoxHidesWhatIsOutsideByNumbers)
   {
     EXPECT_NEAR(scene->GetCropBounds()[i], frame[i], 1.0) << "first the frame";
   }
-  scene->SetFraming(vtkNexradVolumeScene::DOMAIN);
+  scene->SetOption("frame", "domain");
   this->Find<QPushButton>("Whole volume")->click();
   EXPECT_EQ(scene->GetCropBounds()[0], -240'000.0);
   EXPECT_AT_LEAST(this->Changes(

@@ -101,19 +101,36 @@ QComboBox* LookPanel::AddChoice(QFormLayout* form, const QString& name, const QS
   return box;
 }
 
-QCheckBox* LookPanel::AddSwitch(QFormLayout* form, const QString& name, const QString& tip,
-  const std::function<bool()>& get, const std::function<void(bool)>& set)
+void LookPanel::Change(const std::function<void(scene::SceneOptions&)>& change)
+{
+  scene::SceneOptions options = scene->GetOptions();
+  change(options);
+  scene->SetOptions(options);
+}
+
+template <typename Choice>
+void LookPanel::AddChoice(QFormLayout* form, const QString& name, const QString& tip,
+  const std::vector<QString>& entries, Choice scene::SceneOptions::*member)
+{
+  this->AddChoice(
+    form, name, tip, entries,
+    [this, member] { return static_cast<int>(scene->GetOptions().*member); },
+    [this, member](int index)
+    { this->Change([&](auto& options) { options.*member = static_cast<Choice>(index); }); });
+}
+
+void LookPanel::AddSwitch(
+  QFormLayout* form, const QString& name, const QString& tip, bool scene::SceneOptions::*member)
 {
   auto* box = Named(new QCheckBox(name, this), name, tip);
   form->addRow(box);
   connect(box, &QCheckBox::clicked, this,
-    [this, set](bool on)
+    [this, member](bool on)
     {
-      set(on);
+      this->Change([&](auto& options) { options.*member = on; });
       emit Changed();
     });
-  follow.push_back([box, get] { box->setChecked(get()); });
-  return box;
+  follow.push_back([this, box, member] { box->setChecked(scene->GetOptions().*member); });
 }
 
 QDoubleSpinBox* LookPanel::AddNumber(QFormLayout* form, const QString& name, const QString& tip,
@@ -181,28 +198,22 @@ void LookPanel::AddDrawing(QFormLayout* form)
     [this](int index) {
       scene->SetNumberOfSlices(index == 0 ? 0 : sliceCounts[static_cast<std::size_t>(index - 1)]);
     });
-  this->AddSwitch(
-    form, "Pre-integrated",
+  this->AddSwitch(form, "Pre-integrated",
     "Integrate colours and opacities between two slices: narrow steps of colour leave no rings",
-    [this] { return scene->GetPreIntegration(); },
-    [this](bool on) { scene->SetPreIntegration(on); });
-  this->AddSwitch(
-    form, "Interpolated",
+    &scene::SceneOptions::preIntegration);
+  this->AddSwitch(form, "Interpolated",
     "Interpolate values linearly between voxels; else each place has that of its nearest voxel",
-    [this] { return scene->GetLinearInterpolation(); },
-    [this](bool on) { scene->SetLinearInterpolation(on); });
-  this->AddChoice(
-    form, "Drawn by", "The slices of this program, or VTK's GPU ray caster for comparison",
-    {"Slices", "VTK's ray caster"}, [this] { return scene->GetMapper(); },
-    [this](int index) { scene->SetMapper(index); });
+    &scene::SceneOptions::linearInterpolation);
+  this->AddChoice(form, "Drawn by",
+    "The slices of this program, or VTK's GPU ray caster for comparison",
+    {"Slices", "VTK's ray caster"}, &scene::SceneOptions::mapper);
   this->AddNumber(
     form, "Stretch", "How many times heights are stretched; 0: automatic, by the size of the frame",
     0.0, 50.0, 0.5, " ×", "automatic", [this] { return scene->GetExaggeration(); },
     [this](double times) { scene->SetExaggeration(times); });
-  this->AddChoice(
-    form, "Frame", "What fills the view at a magnification of 1: the echo, or the whole domain",
-    {"Echo", "Domain"}, [this] { return scene->GetFraming(); },
-    [this](int index) { scene->SetFraming(index); });
+  this->AddChoice(form, "Frame",
+    "What fills the view at a magnification of 1: the echo, or the whole domain",
+    {"Echo", "Domain"}, &scene::SceneOptions::framing);
   this->AddChoice(
     form, "Projection", "Perspective, or parallel lines of sight", {"Perspective", "Parallel"},
     [this] { return scene->GetParallelProjection() ? 1 : 0; },
@@ -302,30 +313,29 @@ void LookPanel::AddLight(QFormLayout* form)
     [this](double strength) { scene->SetOcclusionStrength(strength); });
   this->AddNumber(
     form, "From", "Direction to the light in degrees clockwise from north", 0.0, 359.0, 5.0, "°",
-    "", [this] { return scene->GetLightAzimuth(); },
-    [this](double degrees) { scene->SetLightAzimuth(degrees); });
+    "", [this] { return scene->GetOptions().light.direction.azimuth; },
+    [this](double degrees)
+    { this->Change([&](auto& options) { options.light.direction.azimuth = degrees; }); });
   this->AddNumber(
     form, "Height", "Elevation of the light above the horizon in degrees", -90.0, 90.0, 5.0, "°",
-    "", [this] { return scene->GetLightElevation(); },
-    [this](double degrees) { scene->SetLightElevation(degrees); });
+    "", [this] { return scene->GetOptions().light.direction.elevation; },
+    [this](double degrees)
+    { this->Change([&](auto& options) { options.light.direction.elevation = degrees; }); });
 }
 
 void LookPanel::AddSurroundings(QFormLayout* form)
 {
-  this->AddChoice(
-    form, "Theme", "Light letters over a grey ground, or dark letters over a pale one",
-    {"Dark", "Light"}, [this] { return scene->GetTheme(); },
-    [this](int index) { scene->SetTheme(index); });
+  this->AddChoice(form, "Theme",
+    "Light letters over a grey ground, or dark letters over a pale one", {"Dark", "Light"},
+    &scene::SceneOptions::theme);
+  this->AddSwitch(form, "Height walls", "Lines of equal height on the walls behind the volume",
+    &scene::SceneOptions::heightWalls);
   this->AddSwitch(
-    form, "Height walls", "Lines of equal height on the walls behind the volume",
-    [this] { return scene->GetHeightWalls(); }, [this](bool on) { scene->SetHeightWalls(on); });
-  this->AddSwitch(
-    form, "Names", "Names of states and provinces on the map",
-    [this] { return scene->GetPlaceNames(); }, [this](bool on) { scene->SetPlaceNames(on); });
+    form, "Names", "Names of states and provinces on the map", &scene::SceneOptions::placeNames);
   this->AddNumber(
     form, "Rings", "Distance between rings of range about each radar in kilometres; 0: none", 0.0,
-    230.0, 10.0, " km", "none", [this] { return scene->GetRingSpacing() / 1000.0; },
-    [this](double kilometres) { scene->SetRingSpacing(1000.0 * kilometres); });
+    230.0, 10.0, " km", "none", [this] { return scene->GetOptions().ringSpacing / kilometre; },
+    [this](double kilometres) { scene->SetOption("rings", kilometre * kilometres); });
 }
 
 // The entries are the moments of the inputs, and of the volume what may give colours.

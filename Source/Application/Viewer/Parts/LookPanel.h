@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Scene/Frame/CameraView.h"
+#include "Scene/SceneOptions.h"
 #include "nexrad/Model/Moment.h"
 
 #include <QWidget>
@@ -10,7 +11,6 @@
 #include <optional>
 #include <vector>
 
-class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
@@ -50,8 +50,11 @@ private:
   QComboBox* AddChoice(QFormLayout* form, const QString& name, const QString& tip,
     const std::vector<QString>& entries, const std::function<int()>& get,
     const std::function<void(int)>& set);
-  QCheckBox* AddSwitch(QFormLayout* form, const QString& name, const QString& tip,
-    const std::function<bool()>& get, const std::function<void(bool)>& set);
+  template <typename Choice>
+  void AddChoice(QFormLayout* form, const QString& name, const QString& tip,
+    const std::vector<QString>& entries, Choice scene::SceneOptions::*member);
+  void AddSwitch(
+    QFormLayout* form, const QString& name, const QString& tip, bool scene::SceneOptions::*member);
   QDoubleSpinBox* AddNumber(QFormLayout* form, const QString& name, const QString& tip,
     double least, double most, double step, const QString& suffix, const QString& automatic,
     const std::function<double()>& get, const std::function<void(double)>& set);
@@ -60,6 +63,7 @@ private:
   void AddSurroundings(QFormLayout* form);
   void AddMoments(QFormLayout* form);
   void AddMaps(QFormLayout* form);
+  void Change(const std::function<void(scene::SceneOptions&)>& change);
   void ChooseView(int plan);
   void PlaceCamera(int plan);
   void FollowPresets();

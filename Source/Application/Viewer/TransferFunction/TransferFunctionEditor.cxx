@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Viewer/TransferFunction/TransferFunctionEditor.h"
 
-#include "Options/DrawingOptions.h"
+#include "Scene/DrawingSettings.h"
 #include "Scene/Elements/Theme.h"
 #include "Scene/Frame/VolumeInformation.h"
 #include "Scene/VolumeAppearance.h"
@@ -469,7 +469,7 @@ void TransferFunctionEditor::ChoosePreset(int index)
     return;
   }
   scene->SetPreset(presets->itemText(index).toStdString());
-  scene->RemoveAllIsoValues();
+  scene->SetOption("iso-values", "");
   scene->ResetTransferFunction();
   scene->Update();
   chart->SetFunction(this->Shown());
@@ -557,7 +557,7 @@ void TransferFunctionEditor::SetIsoValues()
     }
     else
     {
-      std::vector<scene::IsoValue> wanted = application::ParseIsoValues(text.toStdString());
+      std::vector<scene::IsoValue> wanted = scene::ParseIsoValues(text.toStdString());
       for (scene::IsoValue& isoValue : wanted)
       {
         isoValue.value = labels.ToValue(isoValue.value);
