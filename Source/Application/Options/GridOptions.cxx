@@ -8,6 +8,7 @@
 
 namespace nexrad::application
 {
+
 void AddGridOptions(CLI::App& command, MergeOptions& options)
 {
   options.memoryLimit = {MachineMemory().value_or(0), ""};
@@ -21,13 +22,6 @@ void AddGridOptions(CLI::App& command, MergeOptions& options)
   }
   command.parse_complete_callback(
     [&command, &options] { CheckGiven(command, MergeSettings(), options); });
-}
-
-QualityLevel ParseQuality(const std::string& text)
-{
-  MergeOptions options;
-  FindSetting(MergeSettings(), "quality")->set(options, text);
-  return options.quality.level;
 }
 
 std::vector<OptionText> GivenGridOptions(const CLI::App& command)
