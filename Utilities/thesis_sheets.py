@@ -108,7 +108,7 @@ def slices(size, volume):
     pictures.scene.SetVolume(volume.image)
 
     def draw(count, volume_is_shown=True):
-        pictures.scene.SetNumberOfSlices(count)
+        pictures.scene.SetOption("slices", float(count))
         return pictures.draw(volume_is_shown)
 
     reference, ground = draw(2048), draw(2048, False)

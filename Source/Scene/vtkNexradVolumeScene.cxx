@@ -26,19 +26,14 @@
 using nexrad::scene::CameraView;
 using nexrad::scene::EchoExtent;
 using nexrad::scene::LookAt;
-using nexrad::scene::PlanLevel;
-using nexrad::scene::PlanOptions;
 using nexrad::scene::RadarScene;
 using nexrad::scene::SceneFrame;
 using nexrad::scene::SceneOptions;
-using nexrad::scene::ThemeChoice;
 
 // What is asked of the scene.
 struct vtkNexradVolumeScene::Settings
 {
-  SceneOptions options; // but the map, and what is cut away
-  int plan = NO_PLAN;
-  PlanOptions map; // once `plan` asks for one
+  SceneOptions options; // but what is cut away
   CameraView view;
   std::optional<std::array<double, 4>> mark; // west, east, south, north
 };
@@ -172,22 +167,6 @@ void vtkNexradVolumeScene::Drawing::Update(const vtkNexradVolumeScene* self)
 namespace
 {
 
-double ValueOf(const std::optional<double>& held)
-{
-  return held.value_or(0.0);
-}
-template <typename Held>
-const Held& ValueOf(const Held& held)
-{
-  return held;
-}
-
-// 0: it is found by the volume.
-std::optional<double> Automatic(double value)
-{
-  return value > 0.0 ? std::optional(std::min(value, 1000.0)) : std::nullopt;
-}
-
 const nexrad::Setting<nexrad::scene::DrawingOptions>* FindOption(const char* key)
 {
   const auto* setting = nexrad::FindSetting(nexrad::scene::DrawingSettings(), key);
@@ -207,26 +186,8 @@ void vtkNexradVolumeScene::Set(Held& held, const Value& value)
   }
 }
 
-// Settings that programs set by hand: the name, the type in VTK, where it is held, and what becomes
-// of a `value`. All others are set by their keys.
-// clang-format off
-#define NEXRAD_SCENE_SETTINGS(SETTING) \
-  SETTING(Azimuth, double, view.azimuth, value) \
-  SETTING(Tilt, double, view.tilt, std::clamp(value, -90.0, 90.0)) \
-  SETTING(Zoom, double, view.zoom, std::clamp(value, 0.01, 1000.0)) \
-  SETTING(ParallelProjection, bool, view.parallel, value) \
-  SETTING(Preset, std::string, options.preset, value) \
-  SETTING(ColorArray, std::string, options.colourBy, value) \
-  SETTING(Exaggeration, double, options.exaggeration, Automatic(value)) \
-  SETTING(NumberOfSlices, int, options.slices, std::clamp(value, 0, 16384)) \
-  SETTING(ShadowStrength, double, options.light.shadow, std::clamp(value, 0.0, 1.0)) \
-  SETTING(OcclusionStrength, double, options.light.occlusion, std::clamp(value, 0.0, 1.0)) \
-  SETTING(Theme, int, options.theme, static_cast<ThemeChoice>(std::clamp<int>(value, DARK, LIGHT))) \
-  SETTING(Plan, int, plan, std::clamp<int>(value, NO_PLAN, LIQUID_DENSITY)) \
-  SETTING(PlanHeight, double, map.height, value) \
-  SETTING(PlanArray, std::string, map.array, value)
-// clang-format on
-
+// Settings that programs set by hand: the name, the type, where it is held, and what becomes of a
+// `value`. All others are set by their keys.
 #define NEXRAD_SET_AND_GET(name, type, held, wanted)                                               \
   void vtkNexradVolumeScene::Set##name(type value)                                                 \
   {                                                                                                \
@@ -234,9 +195,13 @@ void vtkNexradVolumeScene::Set(Held& held, const Value& value)
   }                                                                                                \
   type vtkNexradVolumeScene::Get##name() const                                                     \
   {                                                                                                \
-    return static_cast<type>(ValueOf(this->Wanted->held));                                         \
+    return this->Wanted->held;                                                                     \
   }
-NEXRAD_SCENE_SETTINGS(NEXRAD_SET_AND_GET)
+NEXRAD_SET_AND_GET(Azimuth, double, view.azimuth, value)
+NEXRAD_SET_AND_GET(Tilt, double, view.tilt, std::clamp(value, -90.0, 90.0))
+NEXRAD_SET_AND_GET(Zoom, double, view.zoom, std::clamp(value, 0.01, 1000.0))
+NEXRAD_SET_AND_GET(ParallelProjection, bool, view.parallel, value)
+NEXRAD_SET_AND_GET(Preset, std::string, options.preset, value)
 
 nexrad::scene::DrawingOptions vtkNexradVolumeScene::Asked() const
 {
@@ -293,11 +258,6 @@ std::string vtkNexradVolumeScene::GetOptionTable()
 SceneOptions vtkNexradVolumeScene::GetOptions() const
 {
   SceneOptions options = this->Wanted->options;
-  if (this->Wanted->plan != NO_PLAN)
-  {
-    options.plan = this->Wanted->map;
-    options.plan->level = static_cast<PlanLevel>(this->Wanted->plan - COMPOSITE);
-  }
   if (this->Cropping)
   {
     std::copy(
@@ -320,15 +280,8 @@ SceneOptions vtkNexradVolumeScene::GetOptions() const
 void vtkNexradVolumeScene::SetOptions(const SceneOptions& options)
 {
   this->Wanted->options = options;
-  this->Wanted->options.plan.reset();
   this->Wanted->options.cut = {};
   this->Wanted->options.cut.unit = options.cut.unit;
-  this->Wanted->plan = NO_PLAN;
-  if (options.plan)
-  {
-    this->Wanted->plan = COMPOSITE + static_cast<int>(options.plan->level);
-    this->Wanted->map = *options.plan;
-  }
   const nexrad::scene::CutOptions& cut = options.cut;
   this->Cropping = cut.box.has_value();
   if (cut.box)

@@ -25,7 +25,7 @@
  * Errors: a volume without voxels or scalars; a preset that does not exist, or that is of another
  * moment than the volume's; a file that is no colour map; a plan view of an array that the volume
  * does not have, or at a height outside of it, or an echo top or liquid of another moment than REF;
- * a ColorArray that it does not have; a crop box without an inside; a clip plane without a
+ * an array for colours that it does not have; a crop box without an inside; a clip plane without a
  * direction. After an error the scene shows what it showed before.
  */
 #ifndef vtkNexradVolumeScene_h
@@ -63,35 +63,6 @@ public:
   static vtkNexradVolumeScene* New();
   vtkTypeMacro(vtkNexradVolumeScene, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  /**
-   * Which voxel of each column a plan view (a map in place of the volume) shows. NO_PLAN: the
-   * volume is shown. COMPOSITE: the largest value; of velocity, the largest speed. LOWEST: the
-   * lowest voxel that was scanned. AT_HEIGHT: the voxel at PlanHeight. ECHO_TOP: the height at
-   * which reflectivity falls below 18 dBZ (another threshold: the option "map"). LIQUID: the
-   * vertically integrated liquid of the reflectivity in kg/m². LIQUID_DENSITY: that through the
-   * height of the echo top, in g/m³.
-   */
-  enum PlanType
-  {
-    NO_PLAN = 0,
-    COMPOSITE = 1,
-    LOWEST = 2,
-    AT_HEIGHT = 3,
-    ECHO_TOP = 4,
-    LIQUID = 5,
-    LIQUID_DENSITY = 6
-  };
-
-  /**
-   * Colours of the sky, the ground, lines and letters. DARK: light letters over a grey ground.
-   * LIGHT: dark letters over a pale ground.
-   */
-  enum ThemeType
-  {
-    DARK = 0,
-    LIGHT = 1
-  };
 
   ///@{
   /**
@@ -199,17 +170,6 @@ public:
   std::string GetPreset() const;
   ///@}
 
-  ///@{
-  /**
-   * Name of an array of the volume that gives the colours, as "VEL" or "REF_age"; the moment that
-   * is shown then gives the opacities alone. A moment has the colours of its preset, or of
-   * the file of the option "colours"; an ancillary array those that a plan view of it has. Brown
-   * stands for no value. Empty by default: the moment gives both. A plan view does not use it.
-   */
-  void SetColorArray(std::string name);
-  std::string GetColorArray() const;
-  ///@}
-
   /**
    * Colours and opacities in use, which may be changed. Null before the first volume is shown;
    * another object once another moment, preset or colour file is shown.
@@ -224,82 +184,11 @@ public:
 
   ///@{
   /**
-   * How many times heights are stretched; the picture states it. 0, the default, goes by the size
-   * of what is framed: 3 times for what one radar sees, up to 8 for many radars.
-   */
-  void SetExaggeration(double times);
-  double GetExaggeration() const;
-  ///@}
-
-  ///@{
-  /**
    * Takes the echo of a volume into the frame, which then stays the same whatever volumes are
    * shown: a movie has one frame for all of its times. ClearFrame: of none any more.
    */
   void AddToFrame(vtkImageData* volume);
   void ClearFrame();
-  ///@}
-
-  ///@{
-  /**
-   * Slices, or samples along the longest ray. From 1 to 16384; 0, the default, takes about three
-   * for every eight voxels along the view.
-   */
-  void SetNumberOfSlices(int slices);
-  int GetNumberOfSlices() const;
-  ///@}
-
-  ///@{
-  /**
-   * How strong the shadows are that the volume casts on itself and on the ground, 0 (none) to 1;
-   * 0.5 by default. The ray caster draws none.
-   */
-  void SetShadowStrength(double strength);
-  double GetShadowStrength() const;
-  ///@}
-
-  ///@{
-  /**
-   * How strong ambient occlusion is: how much darker the volume and the ground are where they see
-   * little of the sky, 0 (none) to 1; 0.4 by default. The ray caster draws none.
-   */
-  void SetOcclusionStrength(double strength);
-  double GetOcclusionStrength() const;
-  ///@}
-
-  ///@{
-  /**
-   * Colours beside those of the data. LIGHT by default.
-   */
-  void SetTheme(int theme);
-  int GetTheme() const;
-  void SetThemeToDark() { this->SetTheme(DARK); }
-  void SetThemeToLight() { this->SetTheme(LIGHT); }
-  ///@}
-
-  ///@{
-  /**
-   * Shows a plan view in place of the volume. NO_PLAN by default. A plan view is usually seen from
-   * above: SetCameraFromAbove.
-   */
-  void SetPlan(int plan);
-  int GetPlan() const;
-  ///@}
-
-  ///@{
-  /**
-   * For AT_HEIGHT: the height in metres above mean sea level. 0 by default.
-   */
-  void SetPlanHeight(double metres);
-  double GetPlanHeight() const;
-  ///@}
-
-  ///@{
-  /**
-   * For a plan view: name of the array that it shows, as "REF_age". Empty by default: the moment.
-   */
-  void SetPlanArray(std::string name);
-  std::string GetPlanArray() const;
   ///@}
 
   ///@{

@@ -65,7 +65,7 @@ TEST(VolumeScene, DrawsAPlanView)
 {
   const auto set = [](vtkNexradVolumeScene* scene)
   {
-    scene->SetPlan(vtkNexradVolumeScene::COMPOSITE);
+    scene->SetOption("map", "composite");
     scene->SetCameraFromAbove();
   };
   ExpectSceneBaseline(DrawStorm(set), "Composite");
@@ -81,7 +81,7 @@ TEST(VolumeScene, DrawsAnotherPresetFromAnotherSide)
     scene->SetAzimuth(120.0);
     scene->SetTilt(15.0);
     scene->SetZoom(1.5);
-    scene->SetExaggeration(12.0);
+    scene->SetOption("exaggeration", 12.0);
     scene->ParallelProjectionOn();
   };
   ExpectSceneBaseline(DrawStorm(set), "StormCores");
@@ -93,7 +93,7 @@ TEST(VolumeScene, DrawsALightTheme)
   const auto set = [](vtkNexradVolumeScene* scene)
   {
     UseClassicLook(scene);
-    scene->SetThemeToLight();
+    scene->SetOption("theme", "light");
     scene->SetOption("names", "on");
     scene->SetPreset("colour-blind safe");
   };
@@ -251,23 +251,22 @@ TEST(VolumeScene, ASettingTakesEffectInTheNextPicture)
     {"place", [](vtkNexradVolumeScene* scene) { scene->SetLookAt(-70e3, -70e3, 0.0); }},
     {"projection", [](vtkNexradVolumeScene* scene) { scene->ParallelProjectionOn(); }},
     {"preset", [](vtkNexradVolumeScene* scene) { scene->SetPreset("hail"); }},
-    {"exaggeration", [](vtkNexradVolumeScene* scene) { scene->SetExaggeration(2.0); }},
+    {"exaggeration", [](vtkNexradVolumeScene* scene) { scene->SetOption("exaggeration", 2.0); }},
     {"mapper", [](vtkNexradVolumeScene* scene) { scene->SetOption("mapper", "ray-cast"); }},
     {"classification",
       [](vtkNexradVolumeScene* scene) { scene->SetOption("classification", "sampled"); }},
-    {"slices", [](vtkNexradVolumeScene* scene) { scene->SetNumberOfSlices(11); }},
+    {"slices", [](vtkNexradVolumeScene* scene) { scene->SetOption("slices", "11"); }},
     {"rings", [](vtkNexradVolumeScene* scene) { scene->SetOption("rings", "50km"); }},
-    {"theme", [](vtkNexradVolumeScene* scene) { scene->SetThemeToDark(); }},
+    {"theme", [](vtkNexradVolumeScene* scene) { scene->SetOption("theme", "dark"); }},
     {"framing", [](vtkNexradVolumeScene* scene) { scene->SetOption("frame", "domain"); }},
     {"opacities",
       [](vtkNexradVolumeScene* scene) { scene->SetOption("opacity-distance", "20km"); }},
     {"walls", [](vtkNexradVolumeScene* scene) { scene->SetOption("walls", "off"); }},
-    {"shadow", [](vtkNexradVolumeScene* scene) { scene->SetShadowStrength(0.8); }},
-    {"occlusion", [](vtkNexradVolumeScene* scene) { scene->SetOcclusionStrength(0.8); }},
+    {"shadow", [](vtkNexradVolumeScene* scene) { scene->SetOption("shadow", 0.8); }},
+    {"occlusion", [](vtkNexradVolumeScene* scene) { scene->SetOption("occlusion", 0.8); }},
     {"echo top", [](vtkNexradVolumeScene* scene) { scene->SetOption("map", "echo-top:30"); }},
-    {"liquid", [](vtkNexradVolumeScene* scene) { scene->SetPlan(vtkNexradVolumeScene::LIQUID); }},
-    {"liquid density",
-      [](vtkNexradVolumeScene* scene) { scene->SetPlan(vtkNexradVolumeScene::LIQUID_DENSITY); }},
+    {"liquid", [](vtkNexradVolumeScene* scene) { scene->SetOption("map", "vil"); }},
+    {"liquid density", [](vtkNexradVolumeScene* scene) { scene->SetOption("map", "vil-density"); }},
     {"crop",
       [](vtkNexradVolumeScene* scene)
       {
@@ -290,15 +289,11 @@ TEST(VolumeScene, ASettingTakesEffectInTheNextPicture)
     {"light",
       [](vtkNexradVolumeScene* scene)
       {
-        scene->SetShadowStrength(0.8);
+        scene->SetOption("shadow", 0.8);
         scene->SetOption("light", "90,20");
       }},
-    {"plan", [](vtkNexradVolumeScene* scene) { scene->SetPlan(vtkNexradVolumeScene::LOWEST); }},
-    {"height", [](vtkNexradVolumeScene* scene)
-      {
-        scene->SetPlan(vtkNexradVolumeScene::AT_HEIGHT);
-        scene->SetPlanHeight(9000.0);
-      }}};
+    {"plan", [](vtkNexradVolumeScene* scene) { scene->SetOption("map", "lowest"); }},
+    {"height", [](vtkNexradVolumeScene* scene) { scene->SetOption("map", "9km"); }}};
   const Picture usual = DrawStorm(SetNothing);
   for (const auto& [name, set] : settings)
   {
@@ -326,7 +321,7 @@ TEST(VolumeScene, TheVolumeShadesTheGround)
       {
         UseClassicLook(scene);
         scene->SetCameraFromAbove();
-        scene->SetShadowStrength(shadow);
+        scene->SetOption("shadow", shadow);
         scene->SetOption("light", "225,20");
         scene->SetOption("mapper", rayCast ? "ray-cast" : "texture-slice");
       });
@@ -365,8 +360,8 @@ TEST(VolumeScene, SurfacesHaveShadowsAndOpacities)
   {
     UseClassicLook(scene);
     scene->SetPreset("iso-values");
-    scene->SetShadowStrength(0.8);
-    scene->SetOcclusionStrength(0.6);
+    scene->SetOption("shadow", 0.8);
+    scene->SetOption("occlusion", 0.6);
   };
   const Picture usual = DrawStorm(useSurfaces);
   vtkNew<vtkNexradVolumeScene> scene;
@@ -380,8 +375,8 @@ TEST(VolumeScene, SurfacesHaveShadowsAndOpacities)
   EXPECT_EQ(MeanDifference(shadowed, DrawStorm(useShadows)), 0.0);
   EXPECT_AT_LEAST(
     MeanDifference(shadowed, usual), 0.15, "mean change of surfaces by shadows, of 255");
-  scene->SetShadowStrength(0.0);
-  scene->SetOcclusionStrength(0.0);
+  scene->SetOption("shadow", 0.0);
+  scene->SetOption("occlusion", 0.0);
   EXPECT_EQ(MeanDifference(window.Draw(), usual), 0.0);
   const std::array<double, 3> values{50.0, 20.0, 35.0};
   const std::array<double, 3> opacities{0.95, 0.35, 0.55};
@@ -470,10 +465,10 @@ TEST(VolumeScene, AnErrorIsReportedOnceAndLeavesThePicture)
   scene->SetOption("colours", "/dev/null");
   expectError("/dev/null");
   scene->SetOption("colours", "");
-  scene->SetPlan(vtkNexradVolumeScene::COMPOSITE);
-  scene->SetPlanArray("REF_age");
+  scene->SetOption("map", "composite");
+  scene->SetOption("array", "REF_age");
   expectError("no array REF_age");
-  scene->SetPlan(vtkNexradVolumeScene::NO_PLAN);
+  scene->SetOption("map", "");
   vtkNew<vtkImageData> empty;
   scene->SetVolume(empty);
   expectError("no voxels");

@@ -349,7 +349,7 @@ void MainWindow::ShowMoment(const QString& moment)
 
 void MainWindow::ColourBy(const QString& array)
 {
-  if (array.toStdString() != view->Scene()->GetColorArray())
+  if (array.toStdString() != view->Scene()->GetOptions().colourBy)
   {
     this->OpenInputs(WithColoursOf(this->Shown(), array.toStdString()), title);
   }
@@ -360,7 +360,7 @@ void MainWindow::ShowMapOf(const QString& array)
 {
   if (array.isEmpty() || HasArray(view->Scene()->GetVolume(), array.toStdString()))
   {
-    view->Scene()->SetPlanArray(array.toStdString());
+    view->Scene()->SetOption("array", array.toStdString().c_str());
     return;
   }
   this->OpenInputs(WithMapOf(this->Shown(), array.toStdString()), title);

@@ -2,6 +2,7 @@
 #include "Viewer/Cutting/CutHandles.h"
 
 #include "Scene/Frame/VolumeInformation.h"
+#include "Scene/SceneOptions.h"
 
 #include <vtkBoxRepresentation.h>
 #include <vtkBoxWidget2.h>
@@ -87,8 +88,7 @@ CutHandles::~CutHandles() = default;
 bool CutHandles::Follow(bool shown)
 {
   // Without a cut the scene is not updated here: its first update takes long, and drawing does it.
-  const bool any = shown && view.scene->GetVolume() != nullptr &&
-                   view.scene->GetPlan() == vtkNexradVolumeScene::NO_PLAN &&
+  const bool any = shown && view.scene->GetVolume() != nullptr && !view.scene->GetOptions().plan &&
                    (view.scene->GetCropping() || view.scene->GetClipping()) && view.scene->Update();
   const std::vector<double> newBox =
     any && view.scene->GetCropping() ? this->BoxPlace() : std::vector<double>{};

@@ -58,14 +58,16 @@ private:
   QDoubleSpinBox* AddNumber(QFormLayout* form, const QString& name, const QString& tip,
     double least, double most, double step, const QString& suffix, const QString& automatic,
     const std::function<double()>& get, const std::function<void(double)>& set);
+  void AddNumber(QFormLayout* form, const QString& name, const QString& tip, double least,
+    double most, double step, const QString& suffix, double& (*member)(scene::SceneOptions&));
   void AddDrawing(QFormLayout* form);
   void AddLight(QFormLayout* form);
   void AddSurroundings(QFormLayout* form);
   void AddMoments(QFormLayout* form);
   void AddMaps(QFormLayout* form);
   void Change(const std::function<void(scene::SceneOptions&)>& change);
-  void ChooseView(int plan);
-  void PlaceCamera(int plan);
+  void ChooseView(const std::optional<scene::PlanLevel>& level); ///< nothing: the volume
+  void PlaceCamera(bool forMap);
   void FollowPresets();
   void FollowMaps();
   void FollowMoments();
@@ -79,6 +81,7 @@ private:
   QDoubleSpinBox* mapHeight = nullptr;
   std::vector<MomentName> moments;           ///< of the inputs
   bool makesAncillary = false;               ///< merging again does
+  scene::PlanOptions map;                    ///< that is shown, or was shown last
   std::optional<scene::CameraView> before;   ///< the camera before a map of columns
   std::vector<std::function<void()>> follow; ///< shows one setting each
 };

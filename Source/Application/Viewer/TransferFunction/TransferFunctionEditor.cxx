@@ -311,8 +311,8 @@ void TransferFunctionEditor::FollowSoon()
 TransferFunctionEditor::Settings TransferFunctionEditor::SettingsNow() const
 {
   Function* function = this->Shown();
-  return {function, function != nullptr ? function->GetMTime() : 0, scene->GetTheme(),
-    scene->GetPreset(), scene->GetColorArray()};
+  return {function, function != nullptr ? function->GetMTime() : 0, scene->GetOptions().theme,
+    scene->GetPreset(), scene->GetOptions().colourBy};
 }
 
 void TransferFunctionEditor::Follow()
@@ -327,8 +327,7 @@ void TransferFunctionEditor::Follow()
   {
     followed = now;
     this->setEnabled(now.function != nullptr);
-    chart->SetTheme(now.theme == vtkNexradVolumeScene::LIGHT ? scene::ThemeChoice::Light
-                                                             : scene::ThemeChoice::Dark);
+    chart->SetTheme(*now.theme);
     for (const int channel : {Function::RED, Function::GREEN, Function::BLUE})
     {
       channels->button(channel)->setEnabled(now.colourArray.empty());
