@@ -46,10 +46,10 @@ ValueType<Velocity> MotionValue();
 ValueType<std::vector<MomentName>> MomentsValue();
 /// "on" and "off"; "1", "0", "true" and "false" are read as well.
 ValueType<bool> FlagValue();
-/// A whole number from `least` to `most`.
-ValueType<int> NumberValue(int least, int most);
-/// A number from `least` to `most`. `refusal` says after the text what is wrong and what would be
-/// right; by default "is no number from 0 to 1".
+/// A whole number from `least` to `most`. `refusal` says after the text what is wrong and what
+/// would be right; by default "is no number from 0 to 1".
+ValueType<int> NumberValue(int least, int most, const std::string& refusal = "");
+/// Likewise any number.
 ValueType<double> RealValue(
   double least, double most, const std::string& unit, const std::string& refusal = "");
 /// Width and height of a picture in pixels.
