@@ -35,7 +35,7 @@ class Pictures:
 
     def __init__(self, size):
         self.scene = vtknexrad.vtkNexradVolumeScene()
-        self.scene.PreIntegrationOff()
+        self.scene.SetOption("classification", "sampled")
         self.window = vtkRenderWindow()
         self.window.SetOffScreenRendering(True)
         self.window.SetMultiSamples(4)
@@ -108,7 +108,7 @@ def slices(size, volume):
     pictures.scene.SetVolume(volume.image)
 
     def draw(count, volume_is_shown=True):
-        pictures.scene.SetNumberOfSlices(count)
+        pictures.scene.SetOption("slices", float(count))
         return pictures.draw(volume_is_shown)
 
     reference, ground = draw(2048), draw(2048, False)
@@ -221,7 +221,7 @@ def sweeps(size, volume, radar):
     for label, tilt in (("From the side, looking north", 8.0), ("From above", 90.0)):
         pictures = Pictures(size)
         pictures.scene.SetVolume(volume.image)
-        pictures.scene.SetFraming(pictures.scene.DOMAIN)
+        pictures.scene.SetOption("frame", "domain")
         pictures.scene.SetAzimuth(180.0)
         pictures.scene.SetTilt(tilt)
         pictures.scene.SetParallelProjection(tilt == 90.0)

@@ -72,22 +72,6 @@ std::string TimeText(double seconds)
 
 using Setting = nexrad::Setting<nexrad::MergeOptions>;
 
-std::string TextOf(const Setting& setting, double number)
-{
-  const std::string& kind = setting.value.kind;
-  const auto index = static_cast<std::size_t>(number);
-  if (kind == "choice" && number >= 0.0 && index < setting.value.choices.size())
-  {
-    return setting.value.choices[index];
-  }
-  if (kind == "flag")
-  {
-    return number != 0.0 ? "on" : "off";
-  }
-  const char* unit = kind == "length" ? "m" : kind == "duration" ? "s" : "";
-  return nexrad::NumberText(number) + unit;
-}
-
 } // namespace
 
 /// What merges the inputs, and the settings that it cannot change.
@@ -163,18 +147,15 @@ void vtkNexradDayReader::SetOption(const char* key, const char* text)
 void vtkNexradDayReader::SetOption(const char* key, double number)
 {
   const Setting* setting = nexrad::FindSetting(nexrad::MergeSettings(), key);
-  this->SetOption(key, setting ? TextOf(*setting, number).c_str() : "");
+  this->SetOption(key, setting ? setting->TextOf(number).c_str() : "");
 }
 
 std::string vtkNexradDayReader::GetOption(const char* key) const
 {
-  const auto text = this->Texts.find(key);
-  if (text != this->Texts.end() && !text->second.empty())
-  {
-    return text->second;
-  }
   const Setting* setting = nexrad::FindSetting(nexrad::MergeSettings(), key);
-  return setting ? setting->Default() : "";
+  const auto text = this->Texts.find(key);
+  const bool given = text != this->Texts.end() && !text->second.empty();
+  return !setting ? "" : given ? nexrad::NormalText(*setting, text->second) : setting->Default();
 }
 
 std::string vtkNexradDayReader::GetOptionTable()

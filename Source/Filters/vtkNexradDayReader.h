@@ -132,7 +132,7 @@ public:
    * key has no "no-" before it: "sharpening". An empty text is the default. A number is metres,
    * seconds, 0 or 1 of a flag, or the place of a name among those of a choice, from 0. An unknown
    * key gives an error, and changes nothing; a wrong text is an error of the next update
-   * (UserError).
+   * (UserError). GetOption gives a text in its normal form: "230km" for 230000.
    */
   void SetOption(const char* key, const char* text);
   void SetOption(const char* key, double number);

@@ -30,13 +30,6 @@ enum class FrameChoice
   Domain ///< the whole domain
 };
 
-/// The presets of colour and opacity (vtkNexradTransferFunction): of reflectivity, its default
-/// first, then one of each other moment.
-constexpr const char* presetNames[] = {"all echo", "storm cores", "hail", "clear air", "iso-values",
-  "colour-blind safe", "velocity", "spectrum width", "differential reflectivity",
-  "differential phase", "correlation coefficient", "clutter power", "storm-relative velocity",
-  "azimuthal shear", "radial divergence", "specific differential phase"};
-
 /// A value whose surface is drawn.
 struct IsoValue
 {
@@ -52,7 +45,8 @@ struct IsoValue
 /// What a scene shows beside the data.
 struct SceneOptions
 {
-  std::string preset; ///< one of presetNames; empty: the first of the moment that is shown
+  std::string
+    preset; ///< of vtkNexradTransferFunction; empty: the first of the moment that is shown
   std::filesystem::path
     colours; ///< colours, and opacities if it has any, in place of the preset's:
              ///< a file that vtkNexradTransferFunction reads; empty: none

@@ -74,7 +74,7 @@ std::string ArrayOf(const std::string& preset)
 std::string PresetFor(const SceneOptions& options, const std::string& array)
 {
   const char* own = vtkNexradTransferFunction::FindPreset(array.c_str());
-  const std::string usual = own != nullptr ? own : presetNames[0];
+  const std::string usual = own != nullptr ? own : vtkNexradTransferFunction::GetPresetName(0);
   if (options.preset.empty())
   {
     return usual;

@@ -139,7 +139,7 @@ int vtkNexradEchoPicker::Look(double x, double y, vtkRenderer* renderer, bool fo
     nexrad::scene::RayThrough(renderer->GetActiveCamera(), {size[0], size[1]}, {x, y});
   const SceneFrame frame = *this->Scene->GetSceneFrame();
   std::optional<double> distance;
-  if (forEcho && this->Scene->GetPlan() == vtkNexradVolumeScene::NO_PLAN)
+  if (forEcho && !this->Scene->GetOptions().plan)
   {
     distance = this->FindEchoAlong({frame, ray});
   }

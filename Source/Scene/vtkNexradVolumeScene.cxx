@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradVolumeScene.h"
 
+#include "Scene/DrawingSettings.h"
 #include "Scene/EchoFraming.h"
+#include "Scene/Frame/VolumeInformation.h"
 #include "Scene/RadarScene.h"
 #include "nexrad/System/Error.h"
 
@@ -16,7 +18,6 @@
 #include <array>
 #include <cmath>
 #include <exception>
-#include <filesystem>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -24,22 +25,15 @@
 
 using nexrad::scene::CameraView;
 using nexrad::scene::EchoExtent;
-using nexrad::scene::FrameChoice;
 using nexrad::scene::LookAt;
-using nexrad::scene::MapperChoice;
-using nexrad::scene::PlanLevel;
-using nexrad::scene::PlanOptions;
 using nexrad::scene::RadarScene;
 using nexrad::scene::SceneFrame;
 using nexrad::scene::SceneOptions;
-using nexrad::scene::ThemeChoice;
 
 // What is asked of the scene.
 struct vtkNexradVolumeScene::Settings
 {
-  SceneOptions options; // but the map, and what is cut away
-  int plan = NO_PLAN;
-  PlanOptions map; // once `plan` asks for one
+  SceneOptions options; // but what is cut away
   CameraView view;
   std::optional<std::array<double, 4>> mark; // west, east, south, north
 };
@@ -173,30 +167,11 @@ void vtkNexradVolumeScene::Drawing::Update(const vtkNexradVolumeScene* self)
 namespace
 {
 
-double ValueOf(const std::optional<double>& held)
+const nexrad::Setting<nexrad::scene::DrawingOptions>* FindOption(const char* key)
 {
-  return held.value_or(0.0);
-}
-std::string ValueOf(const std::filesystem::path& held)
-{
-  return held.string();
-}
-template <typename Held>
-const Held& ValueOf(const Held& held)
-{
-  return held;
-}
-
-// 0: it is found by the volume.
-std::optional<double> Automatic(double value)
-{
-  return value > 0.0 ? std::optional(std::min(value, 1000.0)) : std::nullopt;
-}
-
-template <typename Choice>
-Choice ChoiceOf(int value, int last)
-{
-  return static_cast<Choice>(std::clamp(value, 0, last));
+  const auto* setting = nexrad::FindSetting(nexrad::scene::DrawingSettings(), key);
+  const bool has = setting != nullptr && setting->use != nexrad::SettingUse::Program;
+  return has ? setting : nullptr;
 }
 
 } // namespace
@@ -211,37 +186,8 @@ void vtkNexradVolumeScene::Set(Held& held, const Value& value)
   }
 }
 
-// Each setting: its name, its type in VTK, where it is held, and what becomes of a `value`.
-// clang-format off
-#define NEXRAD_SCENE_SETTINGS(SETTING) \
-  SETTING(Azimuth, double, view.azimuth, value) \
-  SETTING(Tilt, double, view.tilt, std::clamp(value, -90.0, 90.0)) \
-  SETTING(Zoom, double, view.zoom, std::clamp(value, 0.01, 1000.0)) \
-  SETTING(ParallelProjection, bool, view.parallel, value) \
-  SETTING(Preset, std::string, options.preset, value) \
-  SETTING(ColorFileName, std::string, options.colours, value) \
-  SETTING(OpacityFileName, std::string, options.opacities, value) \
-  SETTING(ColorArray, std::string, options.colourBy, value) \
-  SETTING(Exaggeration, double, options.exaggeration, Automatic(value)) \
-  SETTING(Framing, int, options.framing, ChoiceOf<FrameChoice>(value, DOMAIN)) \
-  SETTING(OpacityDistance, double, options.opacityDistance, Automatic(value)) \
-  SETTING(Mapper, int, options.mapper, ChoiceOf<MapperChoice>(value, RAY_CAST)) \
-  SETTING(PreIntegration, bool, options.preIntegration, value) \
-  SETTING(LinearInterpolation, bool, options.linearInterpolation, value) \
-  SETTING(NumberOfSlices, int, options.slices, std::clamp(value, 0, 16384)) \
-  SETTING(ShadowStrength, double, options.light.shadow, std::clamp(value, 0.0, 1.0)) \
-  SETTING(OcclusionStrength, double, options.light.occlusion, std::clamp(value, 0.0, 1.0)) \
-  SETTING(LightAzimuth, double, options.light.direction.azimuth, value) \
-  SETTING(LightElevation, double, options.light.direction.elevation, std::clamp(value, -90.0, 90.0)) \
-  SETTING(Theme, int, options.theme, ChoiceOf<ThemeChoice>(value, LIGHT)) \
-  SETTING(HeightWalls, bool, options.heightWalls, value) \
-  SETTING(PlaceNames, bool, options.placeNames, value) \
-  SETTING(Plan, int, plan, std::clamp<int>(value, NO_PLAN, LIQUID_DENSITY)) \
-  SETTING(PlanHeight, double, map.height, value) \
-  SETTING(EchoTopThreshold, double, map.threshold, value) \
-  SETTING(PlanArray, std::string, map.array, value)
-// clang-format on
-
+// Settings that programs set by hand: the name, the type, where it is held, and what becomes of a
+// `value`. All others are set by their keys.
 #define NEXRAD_SET_AND_GET(name, type, held, wanted)                                               \
   void vtkNexradVolumeScene::Set##name(type value)                                                 \
   {                                                                                                \
@@ -249,28 +195,69 @@ void vtkNexradVolumeScene::Set(Held& held, const Value& value)
   }                                                                                                \
   type vtkNexradVolumeScene::Get##name() const                                                     \
   {                                                                                                \
-    return static_cast<type>(ValueOf(this->Wanted->held));                                         \
+    return this->Wanted->held;                                                                     \
   }
-NEXRAD_SCENE_SETTINGS(NEXRAD_SET_AND_GET)
+NEXRAD_SET_AND_GET(Azimuth, double, view.azimuth, value)
+NEXRAD_SET_AND_GET(Tilt, double, view.tilt, std::clamp(value, -90.0, 90.0))
+NEXRAD_SET_AND_GET(Zoom, double, view.zoom, std::clamp(value, 0.01, 1000.0))
+NEXRAD_SET_AND_GET(ParallelProjection, bool, view.parallel, value)
+NEXRAD_SET_AND_GET(Preset, std::string, options.preset, value)
 
-double vtkNexradVolumeScene::GetRingSpacing() const
+nexrad::scene::DrawingOptions vtkNexradVolumeScene::Asked() const
 {
-  return this->Wanted->options.ringSpacing;
+  nexrad::scene::DrawingOptions asked;
+  asked.camera = this->Wanted->view;
+  asked.scene = this->GetOptions();
+  return asked;
 }
 
-int vtkNexradVolumeScene::GetNumberOfIsoValues() const
+void vtkNexradVolumeScene::SetOption(const char* key, const char* text)
 {
-  return static_cast<int>(this->Wanted->options.isoValues.size());
+  const auto* setting = FindOption(key);
+  if (setting == nullptr)
+  {
+    vtkErrorMacro("there is no option " << key << "; GetOptionTable lists them");
+    return;
+  }
+  try
+  {
+    nexrad::scene::DrawingOptions asked = this->Asked();
+    nexrad::SetText(*setting, *text == 0 ? setting->usual : text, asked);
+    this->SetOptions(asked.scene);
+    this->SetView(asked.camera);
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+  }
+}
+
+void vtkNexradVolumeScene::SetOption(const char* key, double number)
+{
+  const auto* setting = FindOption(key);
+  this->SetOption(key, setting != nullptr ? setting->TextOf(number).c_str() : "");
+}
+
+std::string vtkNexradVolumeScene::GetOption(const char* key) const
+{
+  const auto* setting = FindOption(key);
+  nexrad::scene::DrawingOptions asked = this->Asked();
+  if (this->Volume != nullptr && asked.scene.cut.unit == nexrad::PlaceUnit::OfVolume)
+  {
+    asked.scene.cut.unit = nexrad::scene::PlaceUnitOf(this->Volume);
+  }
+  return setting != nullptr ? setting->text(asked) : "";
+}
+
+std::string vtkNexradVolumeScene::GetOptionTable()
+{
+  const auto& table = nexrad::scene::DrawingSettings();
+  return nexrad::SettingsJson({table.begin(), table.end()});
 }
 
 SceneOptions vtkNexradVolumeScene::GetOptions() const
 {
   SceneOptions options = this->Wanted->options;
-  if (this->Wanted->plan != NO_PLAN)
-  {
-    options.plan = this->Wanted->map;
-    options.plan->level = static_cast<PlanLevel>(this->Wanted->plan - COMPOSITE);
-  }
   if (this->Cropping)
   {
     std::copy(
@@ -293,15 +280,8 @@ SceneOptions vtkNexradVolumeScene::GetOptions() const
 void vtkNexradVolumeScene::SetOptions(const SceneOptions& options)
 {
   this->Wanted->options = options;
-  this->Wanted->options.plan.reset();
   this->Wanted->options.cut = {};
   this->Wanted->options.cut.unit = options.cut.unit;
-  this->Wanted->plan = NO_PLAN;
-  if (options.plan)
-  {
-    this->Wanted->plan = COMPOSITE + static_cast<int>(options.plan->level);
-    this->Wanted->map = *options.plan;
-  }
   const nexrad::scene::CutOptions& cut = options.cut;
   this->Cropping = cut.box.has_value();
   if (cut.box)
@@ -419,34 +399,6 @@ void vtkNexradVolumeScene::MarkBox(double west, double east, double south, doubl
 void vtkNexradVolumeScene::MarkNoBox()
 {
   this->Set(this->Wanted->mark, std::nullopt);
-}
-
-void vtkNexradVolumeScene::SetRingSpacing(double spacing)
-{
-  if (!(spacing == 0.0 || spacing >= 1000.0))
-  {
-    vtkErrorMacro("ring spacing " << spacing << ": set 0 for no rings, or at least 1000 m");
-    return;
-  }
-  this->Set(this->Wanted->options.ringSpacing, spacing);
-}
-
-void vtkNexradVolumeScene::AddIsoValue(double value, double opacity)
-{
-  if (!std::isfinite(value) || !(opacity <= 1.0))
-  {
-    vtkErrorMacro("iso-value " << value << " of opacity " << opacity
-                               << ": set a finite value, and an opacity up to 1");
-    return;
-  }
-  this->Wanted->options.isoValues.push_back(
-    {value, opacity < 0.0 ? std::nullopt : std::optional(opacity)});
-  this->Modified();
-}
-
-void vtkNexradVolumeScene::RemoveAllIsoValues()
-{
-  this->Set(this->Wanted->options.isoValues, std::vector<nexrad::scene::IsoValue>());
 }
 
 void vtkNexradVolumeScene::AddToFrame(vtkImageData* volume)
@@ -687,11 +639,10 @@ void vtkNexradVolumeScene::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Renderer: " << this->Renderer.Get() << "\n";
   os << indent << "Volume: " << this->Volume.Get() << "\n";
   os << indent << "Detail: " << this->Detail.Get() << "\n";
-#define NEXRAD_PRINT(name, type, held, wanted)                                                     \
-  os << indent << #name << ": " << this->Get##name() << "\n";
-  NEXRAD_SCENE_SETTINGS(NEXRAD_PRINT)
-  os << indent << "RingSpacing: " << this->GetRingSpacing() << "\n";
-  os << indent << "IsoValues: " << this->GetNumberOfIsoValues() << "\n";
+  for (const auto& setting : nexrad::scene::DrawingSettings())
+  {
+    os << indent << setting.key << ": " << this->GetOption(setting.key.c_str()) << "\n";
+  }
   os << indent << "MarksBox: " << this->Wanted->mark.has_value() << "\n";
   os << indent << "LooksAtPlace: " << this->Wanted->view.lookAt.has_value() << "\n";
   os << indent << "Cropping: " << (this->Cropping ? "On" : "Off") << "\n";

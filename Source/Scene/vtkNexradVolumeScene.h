@@ -25,7 +25,7 @@
  * Errors: a volume without voxels or scalars; a preset that does not exist, or that is of another
  * moment than the volume's; a file that is no colour map; a plan view of an array that the volume
  * does not have, or at a height outside of it, or an echo top or liquid of another moment than REF;
- * a ColorArray that it does not have; a crop box without an inside; a clip plane without a
+ * an array for colours that it does not have; a crop box without an inside; a clip plane without a
  * direction. After an error the scene shows what it showed before.
  */
 #ifndef vtkNexradVolumeScene_h
@@ -51,6 +51,7 @@ namespace scene // as VTK's wrapper reads it
 {
 class SceneFrame;
 struct CameraView;
+struct DrawingOptions;
 struct EchoExtent;
 struct SceneOptions;
 } // namespace scene
@@ -62,54 +63,6 @@ public:
   static vtkNexradVolumeScene* New();
   vtkTypeMacro(vtkNexradVolumeScene, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  /**
-   * How the volume is drawn. TEXTURE_SLICE: vtkOpenGLTextureSliceVolumeMapper. RAY_CAST: VTK's GPU
-   * ray caster, for comparison.
-   */
-  enum MapperType
-  {
-    TEXTURE_SLICE = 0,
-    RAY_CAST = 1
-  };
-
-  /**
-   * Which voxel of each column a plan view (a map in place of the volume) shows. NO_PLAN: the
-   * volume is shown. COMPOSITE: the largest value; of velocity, the largest speed. LOWEST: the
-   * lowest voxel that was scanned. AT_HEIGHT: the voxel at PlanHeight. ECHO_TOP: the height at
-   * which reflectivity falls below EchoTopThreshold. LIQUID: the vertically integrated liquid of
-   * the reflectivity in kg/m². LIQUID_DENSITY: that through the height of the echo top, in g/m³.
-   */
-  enum PlanType
-  {
-    NO_PLAN = 0,
-    COMPOSITE = 1,
-    LOWEST = 2,
-    AT_HEIGHT = 3,
-    ECHO_TOP = 4,
-    LIQUID = 5,
-    LIQUID_DENSITY = 6
-  };
-
-  /**
-   * Colours of the sky, the ground, lines and letters. DARK: light letters over a grey ground.
-   * LIGHT: dark letters over a pale ground.
-   */
-  enum ThemeType
-  {
-    DARK = 0,
-    LIGHT = 1
-  };
-
-  /**
-   * What the camera looks at, with walls and scales about it. ECHO: the echo, and the radars near
-   * it. DOMAIN: the whole domain.
-   */
-  enum FramingType
-  {
-    ECHO = 0,
-    DOMAIN = 1
-  };
 
   ///@{
   /**
@@ -156,6 +109,25 @@ public:
 
   ///@{
   /**
+   * Sets an option of the picture, and says what it is. The keys and texts are those of `nexrad3d
+   * render` (user guide, chapter 4): "rings" and "50km". A flag is "on" or "off", and its key has
+   * no "no-" before it: "walls". An empty text is the default. A number is metres, 0 or 1 of a
+   * flag, or the place of a name among those of a choice, from 0. GetOption gives a text in its
+   * normal form. Error, and nothing changes: an unknown key, or a wrong text.
+   */
+  void SetOption(const char* key, const char* text);
+  void SetOption(const char* key, double number);
+  std::string GetOption(const char* key) const;
+  ///@}
+
+  /**
+   * What the options are, as a JSON array with an object for each: key, option, kind, choices,
+   * default, and a sentence ("says").
+   */
+  static std::string GetOptionTable();
+
+  ///@{
+  /**
    * Direction from the centre of the domain to the camera, in degrees clockwise from north: 180
    * looks north. 200 by default.
    */
@@ -198,47 +170,6 @@ public:
   std::string GetPreset() const;
   ///@}
 
-  ///@{
-  /**
-   * A file that vtkNexradTransferFunction reads: its colours, and its opacities if it has any, in
-   * place of those of the preset. Empty by default: no file.
-   */
-  void SetColorFileName(std::string path);
-  std::string GetColorFileName() const;
-  ///@}
-
-  ///@{
-  /**
-   * A file that vtkNexradTransferFunction reads: its opacities in place of those of the preset and
-   * of ColorFileName. Error: a file without opacities. Empty by default: no file.
-   */
-  void SetOpacityFileName(std::string path);
-  std::string GetOpacityFileName() const;
-  ///@}
-
-  ///@{
-  /**
-   * Values whose surfaces are drawn in place of the volume, in the unit of the moment, with the
-   * colours of Preset or ColorFileName. The opacity of a surface is 0 to 1; below 0, the default,
-   * it is 0.35 for the lowest value to 0.95 for the highest one. None by default: those of the
-   * preset. Errors: a value that is not finite, an opacity above 1.
-   */
-  void AddIsoValue(double value, double opacity = -1.0);
-  void RemoveAllIsoValues();
-  int GetNumberOfIsoValues() const;
-  ///@}
-
-  ///@{
-  /**
-   * Name of an array of the volume that gives the colours, as "VEL" or "REF_age"; the moment that
-   * is shown then gives the opacities alone. A moment has the colours of its preset, or of
-   * ColorFileName; an ancillary array those that a plan view of it has. Brown stands for no value.
-   * Empty by default: the moment gives both. A plan view does not use it.
-   */
-  void SetColorArray(std::string name);
-  std::string GetColorArray() const;
-  ///@}
-
   /**
    * Colours and opacities in use, which may be changed. Null before the first volume is shown;
    * another object once another moment, preset or colour file is shown.
@@ -246,29 +177,10 @@ public:
   vtkNexradTransferFunction* GetTransferFunction() const;
 
   /**
-   * Drops changes of the colours and opacities in use: the next Update makes them anew from Preset
-   * and ColorFileName. GetTransferFunction then returns another object.
+   * Drops changes of the colours and opacities in use: the next Update makes them anew from the
+   * options. GetTransferFunction then returns another object.
    */
   void ResetTransferFunction();
-
-  ///@{
-  /**
-   * How many times heights are stretched; the picture states it. 0, the default, goes by the size
-   * of what is framed: 3 times for what one radar sees, up to 8 for many radars.
-   */
-  void SetExaggeration(double times);
-  double GetExaggeration() const;
-  ///@}
-
-  ///@{
-  /**
-   * What the camera looks at, with walls and scales about it. ECHO by default: the box that holds
-   * the echo of the first volume, and grows where that of another volume of its grid and moment
-   * leaves it. A plan view shows the domain.
-   */
-  void SetFraming(int framing);
-  int GetFraming() const;
-  ///@}
 
   ///@{
   /**
@@ -277,161 +189,6 @@ public:
    */
   void AddToFrame(vtkImageData* volume);
   void ClearFrame();
-  ///@}
-
-  ///@{
-  /**
-   * The length along a ray to which the opacities belong, in km of the scene. 0, the default,
-   * chooses it by the echo, so that what is seen is neither faint nor solid.
-   */
-  void SetOpacityDistance(double kilometres);
-  double GetOpacityDistance() const;
-  ///@}
-
-  ///@{
-  /**
-   * How the volume is drawn. TEXTURE_SLICE by default.
-   */
-  void SetMapper(int mapper);
-  int GetMapper() const;
-  void SetMapperToTextureSlice() { this->SetMapper(TEXTURE_SLICE); }
-  void SetMapperToRayCast() { this->SetMapper(RAY_CAST); }
-  ///@}
-
-  ///@{
-  /**
-   * Whether slices integrate the transfer functions between the scalars at their front and back, in
-   * place of taking one sample: narrow colour steps and iso-values leave no rings. See
-   * vtkOpenGLTextureSliceVolumeMapper::SetPreIntegration. On by default; RAY_CAST ignores it.
-   */
-  void SetPreIntegration(bool on);
-  bool GetPreIntegration() const;
-  vtkBooleanMacro(PreIntegration, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Whether values are interpolated linearly between voxels. On by default. Off: each place has the
-   * value of the nearest voxel, so that voxels are seen as boxes.
-   */
-  void SetLinearInterpolation(bool on);
-  bool GetLinearInterpolation() const;
-  vtkBooleanMacro(LinearInterpolation, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Slices, or samples along the longest ray. From 1 to 16384; 0, the default, takes about three
-   * for every eight voxels along the view.
-   */
-  void SetNumberOfSlices(int slices);
-  int GetNumberOfSlices() const;
-  ///@}
-
-  ///@{
-  /**
-   * How strong the shadows are that the volume casts on itself and on the ground, 0 (none) to 1;
-   * 0.5 by default. The ray caster draws none.
-   */
-  void SetShadowStrength(double strength);
-  double GetShadowStrength() const;
-  ///@}
-
-  ///@{
-  /**
-   * How strong ambient occlusion is: how much darker the volume and the ground are where they see
-   * little of the sky, 0 (none) to 1; 0.4 by default. The ray caster draws none.
-   */
-  void SetOcclusionStrength(double strength);
-  double GetOcclusionStrength() const;
-  ///@}
-
-  ///@{
-  /**
-   * Direction from the volume to the light that casts the shadows, in degrees clockwise from north.
-   * 250 by default: on the left behind a viewer at the default azimuth.
-   */
-  void SetLightAzimuth(double degrees);
-  double GetLightAzimuth() const;
-  ///@}
-
-  ///@{
-  /**
-   * Elevation of that light above the horizon of the stretched scene in degrees, -90 to 90; 45 by
-   * default.
-   */
-  void SetLightElevation(double degrees);
-  double GetLightElevation() const;
-  ///@}
-
-  ///@{
-  /**
-   * Distance in metres between rings of range about each radar, which are drawn up to 230 km. 0,
-   * the default, draws none; at least 1000 otherwise.
-   */
-  void SetRingSpacing(double spacing);
-  double GetRingSpacing() const;
-  ///@}
-
-  ///@{
-  /**
-   * Colours beside those of the data. LIGHT by default.
-   */
-  void SetTheme(int theme);
-  int GetTheme() const;
-  void SetThemeToDark() { this->SetTheme(DARK); }
-  void SetThemeToLight() { this->SetTheme(LIGHT); }
-  ///@}
-
-  ///@{
-  /**
-   * Lines of equal height on the two walls of the domain that are behind the volume. On by default.
-   */
-  void SetHeightWalls(bool on);
-  bool GetHeightWalls() const;
-  vtkBooleanMacro(HeightWalls, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Names of states and provinces on the map, where they cover no other letters. Off by default.
-   */
-  void SetPlaceNames(bool on);
-  bool GetPlaceNames() const;
-  vtkBooleanMacro(PlaceNames, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Shows a plan view in place of the volume. NO_PLAN by default. A plan view is usually seen from
-   * above: SetCameraFromAbove.
-   */
-  void SetPlan(int plan);
-  int GetPlan() const;
-  ///@}
-
-  ///@{
-  /**
-   * For AT_HEIGHT: the height in metres above mean sea level. 0 by default.
-   */
-  void SetPlanHeight(double metres);
-  double GetPlanHeight() const;
-  ///@}
-
-  ///@{
-  /**
-   * For ECHO_TOP and LIQUID_DENSITY: the threshold in dBZ. 18 by default.
-   */
-  void SetEchoTopThreshold(double threshold);
-  double GetEchoTopThreshold() const;
-  ///@}
-
-  ///@{
-  /**
-   * For a plan view: name of the array that it shows, as "REF_age". Empty by default: the moment.
-   */
-  void SetPlanArray(std::string name);
-  std::string GetPlanArray() const;
   ///@}
 
   ///@{
@@ -585,6 +342,7 @@ private:
   vtkNexradVolumeScene(const vtkNexradVolumeScene&) = delete;
   void operator=(const vtkNexradVolumeScene&) = delete;
 
+  nexrad::scene::DrawingOptions Asked() const;
   vtkMTimeType TimeOfSettings();
   template <typename Held, typename Value>
   void Set(Held& held, const Value& value);

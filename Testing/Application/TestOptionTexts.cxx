@@ -2,18 +2,17 @@
 // Options that are written from a request, and read again.
 #include "Options/OptionTexts.h"
 
-#include "Options/DrawingOptions.h"
+#include "Scene/DrawingSettings.h"
 #include "TestData.h"
 #include "nexrad/Geometry/Angles.h"
 #include "nexrad/System/Error.h"
 
-#include <CLI/CLI.hpp>
-
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <fstream>
+#include <map>
 #include <ostream>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -41,23 +40,24 @@ std::string Joined(const std::vector<OptionText>& texts)
   return line;
 }
 
-// Each option of a picture with a value that is not its default.
+// Each option of a picture with a value that is not its default, in the order of the help text.
 std::vector<OptionText> AllOptions(const std::string& colours)
 {
-  return {{"--size", "900x600"}, {"--azimuth", "123.456"}, {"--tilt", "-20.1"}, {"--zoom", "2.5"},
-    {"--look-at", "35.3,-97.25,4km"}, {"--parallel", ""}, {"--mapper", "ray-cast"},
-    {"--classification", "sampled"}, {"--interpolation", "nearest"}, {"--slices", "512"},
-    {"--opacity-distance", "10km"}, {"--frame", "domain"}, {"--preset", "storm cores"},
-    {"--iso-values", "20:0.3,40"}, {"--colours", colours}, {"--opacities", colours},
+  return {{"--azimuth", "123.456"}, {"--tilt", "-20.1"}, {"--zoom", "2.5"},
+    {"--look-at", "35.3,-97.25,4km"}, {"--parallel", ""}, {"--size", "900x600"},
+    {"--mapper", "ray-cast"}, {"--classification", "sampled"}, {"--interpolation", "nearest"},
+    {"--slices", "512"}, {"--exaggeration", "2.5"}, {"--frame", "domain"},
+    {"--preset", "storm cores"}, {"--iso-values", "20:0.3,40"}, {"--colours", colours},
+    {"--opacities", colours}, {"--opacity-distance", "10km"}, {"--theme", "dark"},
     {"--colour-by", "VEL"}, {"--shadow", "0.7"}, {"--occlusion", "0.5"}, {"--light", "-30,20"},
-    {"--exaggeration", "2.5"}, {"--rings", "50km"}, {"--theme", "dark"}, {"--no-walls", ""},
-    {"--names", ""}, {"--crop", "-50km,20km,-40km,60km,0km,15km"},
-    {"--clip", "-20km,0km,90,5km,-30"}, {"--section", "-20km,0km,30km,1500m"},
-    {"--box", "-50km,10km,-40500m,20km"}, {"--follow-from", "2006-03-12T18:05:00.000Z"}};
+    {"--rings", "50km"}, {"--no-walls", ""}, {"--names", ""},
+    {"--crop", "-50km,20km,-40km,60km,0km,15km"}, {"--clip", "-20km,0km,90,5km,-30"},
+    {"--section", "-20km,0km,30km,1500m"}, {"--box", "-50km,10km,-40500m,20km"},
+    {"--follow-from", "2006-03-12T18:05:00.000Z"}};
 }
 
 const std::vector<OptionText> mapOptions = {{"--azimuth", "170"}, {"--tilt", "60"},
-  {"--perspective", ""}, {"--map", "2500m"}, {"--array", "REF_age"}};
+  {"--map", "2500m"}, {"--array", "REF_age"}, {"--perspective", ""}};
 
 } // namespace
 
@@ -108,8 +108,8 @@ TEST(OptionTexts, DefaultsAreLeftOut)
 TEST(OptionTexts, ALookIsWrittenAsTheOptionsThatItSets)
 {
   EXPECT_EQ(Joined(ReadAndWrite({{"--look", "classic"}})),
-    "--slices=256 --opacity-distance=5km --frame=domain --shadow=0 --occlusion=0 "
-    "--exaggeration=8 --theme=dark ");
+    "--slices=256 --exaggeration=8 --frame=domain --opacity-distance=5km --theme=dark --shadow=0 "
+    "--occlusion=0 ");
 }
 
 TEST(OptionTexts, AllOptionsAreWrittenAsTheyWereRead)
@@ -122,22 +122,48 @@ TEST(OptionTexts, AllOptionsAreWrittenAsTheyWereRead)
   EXPECT_EQ(Joined(ReadAndWrite(mapOptions)), Joined(mapOptions));
 }
 
-// An option that is added to the commands is to be written as well.
-TEST(OptionTexts, NoOptionOfThePictureIsForgotten)
+// Each row of the table that is neither a flag nor a choice has a text in AllOptions.
+TEST(OptionTexts, WhatIsWrittenOfRandomOptionsIsReadAsTheSame)
 {
-  CLI::App command;
-  command.set_help_flag();
-  scene::DrawingRequest request;
-  AddDrawingOptions(command, request);
-  std::vector<OptionText> known = AllOptions("x");
-  known.insert(known.end(), mapOptions.begin(), mapOptions.end());
-  known.push_back({"--look", "classic"}); // is written as the options that it sets
-  for (const CLI::Option* option : command.get_options())
+  const TemporaryFolder folder;
+  const std::string colours = folder.Path() / "colours.csv";
+  std::ofstream(colours) << "dbz,colour\n";
+  std::vector<OptionText> known = AllOptions(colours);
+  known.insert(known.end(), mapOptions.begin() + 2, mapOptions.end());
+  std::map<std::string, std::string> texts = {{"--look", "classic"}};
+  for (const OptionText& text : known)
   {
-    const std::string name = "--" + option->get_lnames().front();
-    EXPECT_TRUE(std::any_of(
-      known.begin(), known.end(), [&](const OptionText& text) { return text.name == name; }))
-      << name;
+    texts[text.name] = text.value;
+  }
+  std::mt19937 random(2006);
+  for (int i = 0; i < 300; ++i)
+  {
+    scene::DrawingOptions options;
+    for (const Setting<scene::DrawingOptions>& setting : scene::DrawingSettings())
+    {
+      if (!setting.IsFlag() && setting.value.kind != "choice")
+      {
+        ASSERT_EQ(texts.count(setting.Option()), 1U) << setting.key;
+      }
+      if (random() % 3 == 0 && (setting.key != "array" || options.scene.plan))
+      {
+        const auto text = texts.find(setting.Option());
+        SetOption(setting, text != texts.end() ? text->second : setting.TextOf(1.0), options);
+      }
+    }
+    scene::DrawingRequest request;
+    static_cast<scene::DrawingOptions&>(request) = options;
+    scene::DrawingRequest read;
+    ParseOptionTexts(OptionTextsOf(request), read);
+    EXPECT_TRUE(read.camera == options.camera) << Joined(OptionTextsOf(request));
+    EXPECT_EQ(read.size, options.size);
+    for (const Setting<scene::DrawingOptions>& setting : scene::DrawingSettings())
+    {
+      if (setting.refusal(options).empty())
+      {
+        EXPECT_EQ(setting.text(read), setting.text(options)) << setting.key;
+      }
+    }
   }
 }
 

@@ -20,15 +20,15 @@ namespace
 constexpr int rounds = 11;
 using Clock = std::chrono::steady_clock;
 
-double UpdateTime(vtkNexradVolumeScene* scene, int plan)
+double UpdateTime(vtkNexradVolumeScene* scene, const char* map)
 {
   std::vector<double> times;
   for (int round = 0; round < rounds; ++round)
   {
-    scene->SetPlan(vtkNexradVolumeScene::AT_HEIGHT);
+    scene->SetOption("map", "3km");
     scene->Update();
     const auto begin = Clock::now();
-    scene->SetPlan(plan);
+    scene->SetOption("map", map);
     scene->Update();
     times.push_back(std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
   }
@@ -42,12 +42,10 @@ void MeasureMaps(const char* path, bool codes)
   vtkNexradReadVolumeFile({path, {}, {}, codes, 0}, volume);
   vtkNew<vtkNexradVolumeScene> scene;
   scene->SetVolume(volume);
-  scene->SetPlanHeight(3000.0);
   std::printf("| %s |", codes ? "codes" : "values");
-  for (const int plan : {vtkNexradVolumeScene::COMPOSITE, vtkNexradVolumeScene::LOWEST,
-         vtkNexradVolumeScene::ECHO_TOP, vtkNexradVolumeScene::LIQUID})
+  for (const char* map : {"composite", "lowest", "echo-top", "vil"})
   {
-    std::printf(" %.1f |", UpdateTime(scene, plan));
+    std::printf(" %.1f |", UpdateTime(scene, map));
   }
   std::printf("\n");
 }

@@ -124,7 +124,7 @@ class Player
 public:
   Player(const std::vector<std::filesystem::path>& inputs, int slices)
   {
-    this->Scene->SetNumberOfSlices(slices);
+    this->Scene->SetOption("slices", static_cast<double>(slices));
     BackgroundSeriesOptions options;
     options.open = [this, &inputs](const Progress&)
     {

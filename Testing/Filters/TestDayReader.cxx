@@ -407,7 +407,7 @@ TEST_F(DayReader, TakesOptionsByTheirKeys)
   reader->SetOption("overlap", 0.0);
   EXPECT_EQ(reader->GetOption("overlap"), "mean");
   reader->SetOption("overlap-length", 80e3);
-  EXPECT_EQ(reader->GetOption("overlap-length"), "80000m");
+  EXPECT_EQ(reader->GetOption("overlap-length"), "80km");
   EXPECT_EQ(reader->GetOption("max-gap"), "15min");
   EXPECT_TRUE(events->errors.empty());
   reader->SetOption("colour", "red");

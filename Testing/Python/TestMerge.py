@@ -206,8 +206,7 @@ class Options(unittest.TestCase):
             day = vtknexrad.vtkNexradDayReader()
             value = each.get("default_values")
             day.SetOption(each.get("initial_string"), value if each.tag[:6] == "String" else float(value))
-            self.assertEqual(day.GetOption(each.get("initial_string")),
-                             IN_METRES.get(each.get("initial_string").replace("-", "_"), option["default"]))
+            self.assertEqual(day.GetOption(each.get("initial_string")), option["default"])
 
 
 class Volumes(unittest.TestCase):

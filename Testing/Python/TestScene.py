@@ -87,17 +87,16 @@ class Pictures(unittest.TestCase):
             scene.SetZoom(1.5)
             scene.ParallelProjectionOn()
             scene.SetPreset("storm cores")
-            scene.SetExaggeration(5.0)
-            scene.SetNumberOfSlices(100)
-            scene.PreIntegrationOff()
-            scene.SetRingSpacing(50000.0)
-            scene.SetThemeToLight()
-            scene.HeightWallsOff()
-            scene.PlaceNamesOn()
-            scene.SetShadowStrength(0.6)
-            scene.SetOcclusionStrength(0.4)
-            scene.SetLightAzimuth(300.0)
-            scene.SetLightElevation(30.0)
+            scene.SetOption("exaggeration", 5.0)
+            scene.SetOption("slices", "100")
+            scene.SetOption("classification", "sampled")
+            scene.SetOption("rings", 50000.0)
+            scene.SetOption("theme", "light")
+            scene.SetOption("walls", "off")
+            scene.SetOption("names", "on")
+            scene.SetOption("shadow", 0.6)
+            scene.SetOption("occlusion", 0.4)
+            scene.SetOption("light", "300,30")
         self.draw(settings, "--azimuth", "140", "--tilt", "50", "--zoom", "1.5", "--parallel", "--preset",
                   "storm cores", "--exaggeration", "5", "--slices", "100", "--rings", "50km",
                   "--theme", "light", "--no-walls", "--names",
@@ -112,7 +111,7 @@ class Pictures(unittest.TestCase):
         self.assertTrue((drawn != self.draw(lambda scene: scene.SetZoom(4.0), "--zoom", "4")).any())
 
     def test_two_fields(self):
-        drawn = self.draw(lambda scene: scene.SetColorArray("REF_age"), "--colour-by", "REF_age")
+        drawn = self.draw(lambda scene: scene.SetOption("colour-by", "REF_age"), "--colour-by", "REF_age")
         self.assertTrue((drawn != self.draw(lambda scene: None)).any())
 
     def test_crop_and_clip(self):
@@ -140,20 +139,18 @@ class Pictures(unittest.TestCase):
     def test_plan_views(self):
         def settings(plan, array=""):
             def apply(scene):
-                scene.SetPlan(plan)
-                scene.SetPlanHeight(3000.0)
-                scene.SetPlanArray(array)
+                scene.SetOption("map", plan)
+                scene.SetOption("array", array)
                 scene.SetCameraFromAbove()
             return apply
-        kinds = vtknexrad.vtkNexradVolumeScene
-        composite = self.draw(settings(kinds.COMPOSITE), "--map", "composite")
-        lowest = self.draw(settings(kinds.LOWEST), "--map", "lowest")
+        composite = self.draw(settings("composite"), "--map", "composite")
+        lowest = self.draw(settings("lowest"), "--map", "lowest")
         self.assertTrue((composite != lowest).any())
-        self.draw(settings(kinds.AT_HEIGHT), "--map", "3km")
-        self.draw(settings(kinds.ECHO_TOP), "--map", "echo-top")
-        self.draw(settings(kinds.LIQUID), "--map", "vil")
-        self.draw(settings(kinds.LIQUID_DENSITY), "--map", "vil-density")
-        self.draw(settings(kinds.AT_HEIGHT, "REF_age"), "--map", "3km", "--array", "REF_age")
+        self.draw(settings("3km"), "--map", "3km")
+        self.draw(settings("echo-top"), "--map", "echo-top")
+        self.draw(settings("vil"), "--map", "vil")
+        self.draw(settings("vil-density"), "--map", "vil-density")
+        self.draw(settings("3km", "REF_age"), "--map", "3km", "--array", "REF_age")
 
     def test_what_is_seen_at_a_pixel(self):
         session = vtknexrad.vtkNexradSession()

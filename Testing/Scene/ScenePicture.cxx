@@ -78,13 +78,7 @@ Picture OffScreenWindow::Draw()
 
 void UseClassicLook(vtkNexradVolumeScene* scene)
 {
-  scene->SetThemeToDark();
-  scene->SetShadowStrength(0.0);
-  scene->SetOcclusionStrength(0.0);
-  scene->SetFraming(vtkNexradVolumeScene::DOMAIN);
-  scene->SetExaggeration(8.0);
-  scene->SetOpacityDistance(5.0);
-  scene->SetNumberOfSlices(256);
+  scene->SetOption("look", "classic");
 }
 
 std::array<int, 3> PixelOf(const Picture& picture, int x, int y)

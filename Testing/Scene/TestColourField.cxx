@@ -72,7 +72,8 @@ Picture DrawStorm(const std::string& name, const Settings& set)
 
 Picture DrawBy(const std::string& array)
 {
-  return DrawStorm(array, [&](vtkNexradVolumeScene* scene) { scene->SetColorArray(array); });
+  return DrawStorm(
+    array, [&](vtkNexradVolumeScene* scene) { scene->SetOption("colour-by", array.c_str()); });
 }
 
 // Pixels left of the colour bar.
@@ -154,9 +155,9 @@ TEST(ColourField, InOneColourItIsThePictureOfTheMoment)
       [&](vtkNexradVolumeScene* scene)
       {
         scene->SetVolume(image);
-        scene->SetPreIntegration(integrated);
-        scene->SetColorFileName(table);
-        scene->SetColorArray(array);
+        scene->SetOption("classification", integrated ? "pre-integrated" : "sampled");
+        scene->SetOption("colours", table.c_str());
+        scene->SetOption("colour-by", array.c_str());
       });
   };
   const auto isStorm = [](const Pixel& rgb) { return rgb[2] > 150 && rgb[0] < 80; };
@@ -177,7 +178,7 @@ TEST(ColourField, OpacityIsThatOfTheMoment)
     return DrawStorm(name,
       [threshold](vtkNexradVolumeScene* scene)
       {
-        scene->SetColorArray("VEL");
+        scene->SetOption("colour-by", "VEL");
         scene->Update();
         vtkNexradTransferFunction* function = scene->GetTransferFunction();
         function->RemoveAllNodes(vtkNexradTransferFunction::OPACITY);
@@ -213,12 +214,12 @@ TEST(ColourField, AnArrayThatIsNotThereIsRefusedByName)
   vtkNexradMessages messages;
   messages.Watch(scene);
   scene->SetVolume(MakeStormVolume(false));
-  scene->SetColorArray("VEL");
+  scene->SetOption("colour-by", "VEL");
   EXPECT_FALSE(scene->Update());
   ASSERT_EQ(messages.Errors().size(), 1U);
   EXPECT_NE(messages.Errors()[0].find("no point array VEL"), std::string::npos);
-  scene->SetColorArray("REF_state");
+  scene->SetOption("colour-by", "REF_state");
   EXPECT_FALSE(scene->Update());
-  scene->SetColorArray("REF");
+  scene->SetOption("colour-by", "REF");
   EXPECT_TRUE(scene->Update());
 }

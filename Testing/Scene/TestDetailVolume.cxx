@@ -68,7 +68,7 @@ TEST(DetailVolume, APartInPlaceOfItselfChangesLittle)
   vtkNew<vtkNexradVolumeScene> scene;
   UseClassicLook(scene);
   scene->SetVolume(storm);
-  scene->SetNumberOfSlices(1024);
+  scene->SetOption("slices", "1024");
   OffScreenWindow window(scene->GetRenderer(), size);
   for (const double azimuth : {20.0, 110.0, 200.0, 290.0})
   {

@@ -113,7 +113,7 @@ TEST_F(Navigator, SaysTheValueInTheUnitOfTheColourTable)
   const TemporaryFolder folder;
   const std::filesystem::path table = folder.Path() / "knots.pal";
   std::ofstream(table) << "Units: KTS\nScale: 1.94384\nColor: 0 0 255 0\nColor: 140 255 0 0\n";
-  scene->SetColorFileName(table.string());
+  scene->SetOption("colours", table.c_str());
   scene->Update();
   ASSERT_EQ(this->Pick(Tower(scene)), vtkNexradEchoPicker::ECHO);
   EXPECT_EQ(picker->GetUnits(), "dBZ");

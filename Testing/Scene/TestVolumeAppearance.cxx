@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <iterator>
 #include <string>
 
 using namespace nexrad;
@@ -38,16 +37,6 @@ TEST(VolumeAppearance, ColoursWithoutStepsAreShownEveryFiveDecibels)
   EXPECT_EQ(table[0].from, 5.0);
   EXPECT_EQ(table[0].colour[0], 0.25);
   EXPECT_EQ(table[1].from, 10.0);
-}
-
-TEST(VolumeAppearance, TheProgramsPresetsAreThoseOfTheTransferFunction)
-{
-  ASSERT_EQ(
-    vtkNexradTransferFunction::GetNumberOfPresets(), static_cast<int>(std::size(presetNames)));
-  for (int i = 0; i < vtkNexradTransferFunction::GetNumberOfPresets(); ++i)
-  {
-    EXPECT_STREQ(vtkNexradTransferFunction::GetPresetName(i), presetNames[i]);
-  }
 }
 
 TEST(VolumeAppearance, EveryMomentHasItsOwnLook)

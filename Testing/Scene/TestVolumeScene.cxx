@@ -21,6 +21,7 @@
 #include <array>
 #include <cmath>
 #include <iostream>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,7 +57,7 @@ void SetNothing(vtkNexradVolumeScene*) {}
 TEST(VolumeScene, DrawsStormMapAndScales)
 {
   ExpectSceneBaseline(
-    DrawStorm([](vtkNexradVolumeScene* scene) { scene->SetRingSpacing(100e3); }), "Storm");
+    DrawStorm([](vtkNexradVolumeScene* scene) { scene->SetOption("rings", "100km"); }), "Storm");
 }
 
 // The picture: discs of flat colours in the south west of a pale square, seen from above.
@@ -64,7 +65,7 @@ TEST(VolumeScene, DrawsAPlanView)
 {
   const auto set = [](vtkNexradVolumeScene* scene)
   {
-    scene->SetPlan(vtkNexradVolumeScene::COMPOSITE);
+    scene->SetOption("map", "composite");
     scene->SetCameraFromAbove();
   };
   ExpectSceneBaseline(DrawStorm(set), "Composite");
@@ -80,7 +81,7 @@ TEST(VolumeScene, DrawsAnotherPresetFromAnotherSide)
     scene->SetAzimuth(120.0);
     scene->SetTilt(15.0);
     scene->SetZoom(1.5);
-    scene->SetExaggeration(12.0);
+    scene->SetOption("exaggeration", 12.0);
     scene->ParallelProjectionOn();
   };
   ExpectSceneBaseline(DrawStorm(set), "StormCores");
@@ -92,8 +93,8 @@ TEST(VolumeScene, DrawsALightTheme)
   const auto set = [](vtkNexradVolumeScene* scene)
   {
     UseClassicLook(scene);
-    scene->SetThemeToLight();
-    scene->PlaceNamesOn();
+    scene->SetOption("theme", "light");
+    scene->SetOption("names", "on");
     scene->SetPreset("colour-blind safe");
   };
   ExpectSceneBaseline(DrawStorm(set), "StormLight");
@@ -139,7 +140,7 @@ void SeeFromAbove(vtkNexradVolumeScene* scene)
 {
   UseClassicLook(scene);
   scene->SetCameraFromAbove();
-  scene->HeightWallsOff();
+  scene->SetOption("walls", "off");
 }
 
 // An empty crop box would say that it is empty.
@@ -250,27 +251,22 @@ TEST(VolumeScene, ASettingTakesEffectInTheNextPicture)
     {"place", [](vtkNexradVolumeScene* scene) { scene->SetLookAt(-70e3, -70e3, 0.0); }},
     {"projection", [](vtkNexradVolumeScene* scene) { scene->ParallelProjectionOn(); }},
     {"preset", [](vtkNexradVolumeScene* scene) { scene->SetPreset("hail"); }},
-    {"exaggeration", [](vtkNexradVolumeScene* scene) { scene->SetExaggeration(2.0); }},
-    {"mapper", [](vtkNexradVolumeScene* scene) { scene->SetMapperToRayCast(); }},
-    {"classification", [](vtkNexradVolumeScene* scene) { scene->PreIntegrationOff(); }},
-    {"slices", [](vtkNexradVolumeScene* scene) { scene->SetNumberOfSlices(11); }},
-    {"rings", [](vtkNexradVolumeScene* scene) { scene->SetRingSpacing(50e3); }},
-    {"theme", [](vtkNexradVolumeScene* scene) { scene->SetThemeToDark(); }},
-    {"framing",
-      [](vtkNexradVolumeScene* scene) { scene->SetFraming(vtkNexradVolumeScene::DOMAIN); }},
-    {"opacities", [](vtkNexradVolumeScene* scene) { scene->SetOpacityDistance(20.0); }},
-    {"walls", [](vtkNexradVolumeScene* scene) { scene->HeightWallsOff(); }},
-    {"shadow", [](vtkNexradVolumeScene* scene) { scene->SetShadowStrength(0.8); }},
-    {"occlusion", [](vtkNexradVolumeScene* scene) { scene->SetOcclusionStrength(0.8); }},
-    {"echo top",
-      [](vtkNexradVolumeScene* scene)
-      {
-        scene->SetPlan(vtkNexradVolumeScene::ECHO_TOP);
-        scene->SetEchoTopThreshold(30.0);
-      }},
-    {"liquid", [](vtkNexradVolumeScene* scene) { scene->SetPlan(vtkNexradVolumeScene::LIQUID); }},
-    {"liquid density",
-      [](vtkNexradVolumeScene* scene) { scene->SetPlan(vtkNexradVolumeScene::LIQUID_DENSITY); }},
+    {"exaggeration", [](vtkNexradVolumeScene* scene) { scene->SetOption("exaggeration", 2.0); }},
+    {"mapper", [](vtkNexradVolumeScene* scene) { scene->SetOption("mapper", "ray-cast"); }},
+    {"classification",
+      [](vtkNexradVolumeScene* scene) { scene->SetOption("classification", "sampled"); }},
+    {"slices", [](vtkNexradVolumeScene* scene) { scene->SetOption("slices", "11"); }},
+    {"rings", [](vtkNexradVolumeScene* scene) { scene->SetOption("rings", "50km"); }},
+    {"theme", [](vtkNexradVolumeScene* scene) { scene->SetOption("theme", "dark"); }},
+    {"framing", [](vtkNexradVolumeScene* scene) { scene->SetOption("frame", "domain"); }},
+    {"opacities",
+      [](vtkNexradVolumeScene* scene) { scene->SetOption("opacity-distance", "20km"); }},
+    {"walls", [](vtkNexradVolumeScene* scene) { scene->SetOption("walls", "off"); }},
+    {"shadow", [](vtkNexradVolumeScene* scene) { scene->SetOption("shadow", 0.8); }},
+    {"occlusion", [](vtkNexradVolumeScene* scene) { scene->SetOption("occlusion", 0.8); }},
+    {"echo top", [](vtkNexradVolumeScene* scene) { scene->SetOption("map", "echo-top:30"); }},
+    {"liquid", [](vtkNexradVolumeScene* scene) { scene->SetOption("map", "vil"); }},
+    {"liquid density", [](vtkNexradVolumeScene* scene) { scene->SetOption("map", "vil-density"); }},
     {"crop",
       [](vtkNexradVolumeScene* scene)
       {
@@ -293,16 +289,11 @@ TEST(VolumeScene, ASettingTakesEffectInTheNextPicture)
     {"light",
       [](vtkNexradVolumeScene* scene)
       {
-        scene->SetShadowStrength(0.8);
-        scene->SetLightAzimuth(90.0);
-        scene->SetLightElevation(20.0);
+        scene->SetOption("shadow", 0.8);
+        scene->SetOption("light", "90,20");
       }},
-    {"plan", [](vtkNexradVolumeScene* scene) { scene->SetPlan(vtkNexradVolumeScene::LOWEST); }},
-    {"height", [](vtkNexradVolumeScene* scene)
-      {
-        scene->SetPlan(vtkNexradVolumeScene::AT_HEIGHT);
-        scene->SetPlanHeight(9000.0);
-      }}};
+    {"plan", [](vtkNexradVolumeScene* scene) { scene->SetOption("map", "lowest"); }},
+    {"height", [](vtkNexradVolumeScene* scene) { scene->SetOption("map", "9km"); }}};
   const Picture usual = DrawStorm(SetNothing);
   for (const auto& [name, set] : settings)
   {
@@ -330,11 +321,9 @@ TEST(VolumeScene, TheVolumeShadesTheGround)
       {
         UseClassicLook(scene);
         scene->SetCameraFromAbove();
-        scene->SetShadowStrength(shadow);
-        scene->SetLightAzimuth(225.0);
-        scene->SetLightElevation(20.0);
-        scene->SetMapper(
-          rayCast ? vtkNexradVolumeScene::RAY_CAST : vtkNexradVolumeScene::TEXTURE_SLICE);
+        scene->SetOption("shadow", shadow);
+        scene->SetOption("light", "225,20");
+        scene->SetOption("mapper", rayCast ? "ray-cast" : "texture-slice");
       });
   };
   const Picture without = draw(0.0, false);
@@ -371,8 +360,8 @@ TEST(VolumeScene, SurfacesHaveShadowsAndOpacities)
   {
     UseClassicLook(scene);
     scene->SetPreset("iso-values");
-    scene->SetShadowStrength(0.8);
-    scene->SetOcclusionStrength(0.6);
+    scene->SetOption("shadow", 0.8);
+    scene->SetOption("occlusion", 0.6);
   };
   const Picture usual = DrawStorm(useSurfaces);
   vtkNew<vtkNexradVolumeScene> scene;
@@ -386,8 +375,8 @@ TEST(VolumeScene, SurfacesHaveShadowsAndOpacities)
   EXPECT_EQ(MeanDifference(shadowed, DrawStorm(useShadows)), 0.0);
   EXPECT_AT_LEAST(
     MeanDifference(shadowed, usual), 0.15, "mean change of surfaces by shadows, of 255");
-  scene->SetShadowStrength(0.0);
-  scene->SetOcclusionStrength(0.0);
+  scene->SetOption("shadow", 0.0);
+  scene->SetOption("occlusion", 0.0);
   EXPECT_EQ(MeanDifference(window.Draw(), usual), 0.0);
   const std::array<double, 3> values{50.0, 20.0, 35.0};
   const std::array<double, 3> opacities{0.95, 0.35, 0.55};
@@ -414,11 +403,11 @@ TEST(VolumeScene, ChangesOfTheTransferFunctionAreDrawnAndKept)
   EXPECT_AT_LEAST(
     MeanDifference(usual, surface), 1.3, "mean change of the picture by a shell, of 255");
   // What is changed beside them, and a new volume, leave them as they are.
-  scene->SetRingSpacing(100e3);
+  scene->SetOption("rings", "100km");
   scene->SetVolume(MakeStormVolume(true));
   window.Draw();
   EXPECT_EQ(scene->GetTransferFunction(), colors);
-  scene->SetRingSpacing(0.0);
+  scene->SetOption("rings", "0");
   EXPECT_EQ(MeanDifference(window.Draw(), surface), 0.0);
   // The same preset, and another one, begin anew.
   scene->ResetTransferFunction();
@@ -435,8 +424,7 @@ TEST(VolumeScene, DrawsSurfacesOfIsoValues)
   scene->SetVolume(MakeStormVolume(true));
   OffScreenWindow window(scene->GetRenderer(), size);
   const Picture usual = window.Draw();
-  scene->AddIsoValue(45.0);
-  scene->AddIsoValue(20.0, 0.25);
+  scene->SetOption("iso-values", "45,20:0.25");
   const Picture surfaces = window.Draw();
   EXPECT_AT_LEAST(
     MeanDifference(usual, surfaces), 1.3, "mean change of the picture by two surfaces, of 255");
@@ -444,13 +432,13 @@ TEST(VolumeScene, DrawsSurfacesOfIsoValues)
   ASSERT_EQ(colors->GetNumberOfIsoValues(), 2);
   EXPECT_EQ(colors->Evaluate(vtkNexradTransferFunction::OPACITY, 20.0), 0.25);
   EXPECT_EQ(colors->Evaluate(vtkNexradTransferFunction::OPACITY, 45.0), 0.95);
-  scene->RemoveAllIsoValues();
+  scene->SetOption("iso-values", "");
   EXPECT_EQ(MeanDifference(window.Draw(), usual), 0.0);
   vtkNexradMessages messages;
   messages.Watch(scene);
-  scene->AddIsoValue(45.0, 1.5);
+  scene->SetOption("iso-values", "45:1.5");
   EXPECT_EQ(messages.Errors().size(), 1U);
-  EXPECT_EQ(scene->GetNumberOfIsoValues(), 0);
+  EXPECT_EQ(scene->GetOption("iso-values"), "");
 }
 
 TEST(VolumeScene, AnErrorIsReportedOnceAndLeavesThePicture)
@@ -474,13 +462,13 @@ TEST(VolumeScene, AnErrorIsReportedOnceAndLeavesThePicture)
   scene->SetPreset("velocity");
   expectError("'velocity' is of VEL");
   scene->SetPreset("");
-  scene->SetColorFileName("/nonexistent.json");
-  expectError("/nonexistent.json");
-  scene->SetColorFileName("");
-  scene->SetPlan(vtkNexradVolumeScene::COMPOSITE);
-  scene->SetPlanArray("REF_age");
+  scene->SetOption("colours", "/dev/null");
+  expectError("/dev/null");
+  scene->SetOption("colours", "");
+  scene->SetOption("map", "composite");
+  scene->SetOption("array", "REF_age");
   expectError("no array REF_age");
-  scene->SetPlan(vtkNexradVolumeScene::NO_PLAN);
+  scene->SetOption("map", "");
   vtkNew<vtkImageData> empty;
   scene->SetVolume(empty);
   expectError("no voxels");
@@ -488,9 +476,34 @@ TEST(VolumeScene, AnErrorIsReportedOnceAndLeavesThePicture)
   EXPECT_TRUE(scene->Update());
   EXPECT_EQ(MeanDifference(window.Draw(), usual), 0.0);
   EXPECT_TRUE(messages.Errors().empty());
-  scene->SetRingSpacing(10.0);
+  scene->SetOption("rings", "10m");
   EXPECT_EQ(messages.Errors().size(), 1u);
-  EXPECT_EQ(scene->GetRingSpacing(), 0.0);
+  EXPECT_EQ(scene->GetOption("rings"), "0km");
+  messages.Clear();
+  scene->SetOption("ring", "10km");
+  EXPECT_EQ(messages.Errors().size(), 1u);
+}
+
+TEST(VolumeScene, OptionsAreSetByTheirKeys)
+{
+  vtkNew<vtkNexradVolumeScene> scene;
+  scene->SetOption("rings", 50e3);
+  EXPECT_EQ(scene->GetOption("rings"), "50km");
+  scene->SetOption("tilt", "20");
+  EXPECT_EQ(scene->GetTilt(), 20.0);
+  scene->SetTilt(30.0);
+  EXPECT_EQ(scene->GetOption("tilt"), "30");
+  scene->SetOption("walls", 0.0);
+  EXPECT_EQ(scene->GetOption("walls"), "off");
+  scene->SetOption("crop", "-10000m,20km,-1km,1km,0,15km");
+  EXPECT_TRUE(scene->GetCropping());
+  EXPECT_EQ(scene->GetCropBounds()[1], 20e3);
+  EXPECT_EQ(scene->GetOption("crop"), "-10km,20km,-1km,1km,0km,15km");
+  scene->SetOption("crop", "");
+  EXPECT_FALSE(scene->GetCropping());
+  std::ostringstream text;
+  scene->Print(text);
+  EXPECT_NE(text.str().find("rings: 50km\n"), std::string::npos) << text.str();
 }
 
 TEST(VolumeScene, FollowsTheSizeOfItsWindow)

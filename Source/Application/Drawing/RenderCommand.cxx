@@ -45,12 +45,12 @@ std::filesystem::path ParseOutput(const std::string& text)
 void AddMovie(CLI::App& command, scene::RenderRequest& request)
 {
   constexpr char group[] = "Movie";
-  AddNumberOption(command, "--fps", request.framesPerSecond, 1, 120, "NUMBER", "Frames a second")
+  AddValueOption(command, "--fps", request.framesPerSecond, NumberValue(1, 120), "Frames a second")
     ->group(group);
-  AddNumberOption(command, "--frames", request.frames, 0, 100'000, "NUMBER",
+  AddValueOption(command, "--frames", request.frames, NumberValue(0, 100'000),
     "Number of frames; 0: one for each time")
     ->group(group);
-  AddNumberOption(command, "--turn", request.turn, -36'000.0, 36'000.0, "DEGREES",
+  AddValueOption(command, "--turn", request.turn, RealValue(-36'000.0, 36'000.0, "DEGREES"),
     "How far the camera goes round during the movie")
     ->group(group);
 }

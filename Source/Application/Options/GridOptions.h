@@ -3,7 +3,6 @@
 
 #include "nexrad/Merging/MergeSettings.h"
 
-#include <string>
 #include <vector>
 
 namespace CLI
@@ -17,9 +16,6 @@ namespace nexrad::application
 /// Adds the options of merging to a command: those of MergeSettings that the program has. They
 /// store into `options`, which must outlive the parsing.
 void AddGridOptions(CLI::App& command, MergeOptions& options);
-
-/// The level of quality control that a text names. Throws Error when it names none.
-QualityLevel ParseQuality(const std::string& text);
 
 /// Those options of merging that a command was given, as they were written.
 std::vector<OptionText> GivenGridOptions(const CLI::App& command);

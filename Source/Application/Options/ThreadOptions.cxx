@@ -2,7 +2,6 @@
 #include "Options/ThreadOptions.h"
 
 #include "Options/UnitOptions.h"
-#include "nexrad/System/Error.h"
 #include "vtkNexradThreads.h"
 
 namespace nexrad::application
@@ -12,25 +11,17 @@ namespace
 
 constexpr char name[] = "--threads";
 
-unsigned ParseThreads(const std::string& text)
-{
-  constexpr double most = 1024.0;
-  const std::vector<double> numbers = FindNumbers(text);
-  const double count = numbers.size() == 1 ? numbers.front() : 0.0;
-  if (!(count >= 1.0 && count <= most) || count != static_cast<unsigned>(count))
-  {
-    throw Error("'" + text + "' is no number of threads; write a whole number from 1 to 1024");
-  }
-  return static_cast<unsigned>(count);
-}
-
 } // namespace
 
 void AddThreadsOption(CLI::App& command)
 {
+  const auto threads =
+    NumberValue(1, 1024, "is no number of threads; write a whole number from 1 to 1024");
   AddTextOption(
-    command, name, [](const std::string& text) { vtkNexradSetThreadCount(ParseThreads(text)); },
-    "NUMBER",
+    command, name,
+    [parse = threads.parse](const std::string& text)
+    { vtkNexradSetThreadCount(static_cast<unsigned>(parse(text))); },
+    threads.unit,
     "Threads that decode files, and as many that merge; at most one for each core (default: as "
     "VTK_SMP_MAX_THREADS says, else one for each core)")
     ->group("Memory and threads");

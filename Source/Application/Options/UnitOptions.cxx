@@ -8,7 +8,9 @@ CLI::Option* AddTextOption(CLI::App& command, const std::string& name,
   const std::function<void(const std::string&)>& take, const std::string& unit,
   const std::string& description)
 {
-  const auto store = [take, name](const std::string& text)
+  // Of several long names the first one.
+  const std::string shown = name.compare(0, 2, "--") == 0 ? name.substr(0, name.find(',')) : name;
+  const auto store = [take, shown](const std::string& text)
   {
     try
     {
@@ -16,7 +18,7 @@ CLI::Option* AddTextOption(CLI::App& command, const std::string& name,
     }
     catch (const Error& error)
     {
-      throw CLI::ValidationError(name, error.what());
+      throw CLI::ValidationError(shown, error.what());
     }
   };
   // CLI11 would split "0,20km" only on request; one text is one value.

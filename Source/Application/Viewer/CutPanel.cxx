@@ -137,7 +137,7 @@ bool CutHandles::Follow(bool shown)
 {
   // Without a cut the scene is not updated here: its first update takes long, and drawing does it.
   const bool any = shown && view.Scene()->GetVolume() != nullptr &&
-                   view.Scene()->GetPlan() == vtkNexradVolumeScene::NO_PLAN &&
+                   !view.Scene()->GetOptions().plan &&
                    (view.Scene()->GetCropping() || view.Scene()->GetClipping()) &&
                    view.Scene()->Update();
   const std::vector<double> newBox =

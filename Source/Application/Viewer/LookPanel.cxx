@@ -41,27 +41,25 @@ int PlaceOf(int slices)
   return 1 + static_cast<int>(nearest - sliceCounts.begin());
 }
 
-// What the choice of views offers, in its order.
-constexpr std::array<int, 7> plans = {vtkNexradVolumeScene::NO_PLAN,
-  vtkNexradVolumeScene::COMPOSITE, vtkNexradVolumeScene::LOWEST, vtkNexradVolumeScene::ECHO_TOP,
-  vtkNexradVolumeScene::LIQUID, vtkNexradVolumeScene::LIQUID_DENSITY,
-  vtkNexradVolumeScene::AT_HEIGHT};
+// What the choice of views offers, in its order; nothing: the volume.
+using View = std::optional<scene::PlanLevel>;
+constexpr std::array<View, 7> offeredViews = {View(), scene::PlanLevel::Composite,
+  scene::PlanLevel::Lowest, scene::PlanLevel::EchoTop, scene::PlanLevel::Liquid,
+  scene::PlanLevel::LiquidDensity, scene::PlanLevel::Height};
+constexpr double kilometre = 1000.0;
 constexpr double usualHeight = 3.0; // km, of a map at a height that was not set
-
-// −1 for a plan that it does not offer.
-int PlaceOfPlan(int plan)
-{
-  const auto place = std::find(plans.begin(), plans.end(), plan);
-  return place == plans.end() ? -1 : static_cast<int>(place - plans.begin());
-}
 
 constexpr char nothingOpen[] = "Nothing open";
 
-// Computed of the reflectivity of all voxels of a column; other maps show one voxel of it.
-bool IsProduct(int plan)
+View ViewOf(const scene::SceneOptions& options)
 {
-  return plan == vtkNexradVolumeScene::ECHO_TOP || plan == vtkNexradVolumeScene::LIQUID ||
-         plan == vtkNexradVolumeScene::LIQUID_DENSITY;
+  return options.plan ? View(options.plan->level) : View();
+}
+
+// Computed of the reflectivity of all voxels of a column; other maps show one voxel of it.
+bool IsProduct(const View& view)
+{
+  return view && scene::IsColumnProduct(*view);
 }
 
 } // namespace
@@ -98,19 +96,36 @@ QComboBox* LookPanel::AddChoice(QFormLayout* form, const QString& name, const QS
   return box;
 }
 
-QCheckBox* LookPanel::AddSwitch(QFormLayout* form, const QString& name, const QString& tip,
-  const std::function<bool()>& get, const std::function<void(bool)>& set)
+void LookPanel::Change(const std::function<void(scene::SceneOptions&)>& change)
+{
+  scene::SceneOptions options = scene->GetOptions();
+  change(options);
+  scene->SetOptions(options);
+}
+
+template <typename Choice>
+void LookPanel::AddChoice(QFormLayout* form, const QString& name, const QString& tip,
+  const std::vector<QString>& entries, Choice scene::SceneOptions::*member)
+{
+  this->AddChoice(
+    form, name, tip, entries,
+    [this, member] { return static_cast<int>(scene->GetOptions().*member); },
+    [this, member](int index)
+    { this->Change([&](auto& options) { options.*member = static_cast<Choice>(index); }); });
+}
+
+void LookPanel::AddSwitch(
+  QFormLayout* form, const QString& name, const QString& tip, bool scene::SceneOptions::*member)
 {
   auto* box = Named(new QCheckBox(name, this), name, tip);
   form->addRow(box);
   connect(box, &QCheckBox::clicked, this,
-    [this, set](bool on)
+    [this, member](bool on)
     {
-      set(on);
+      this->Change([&](auto& options) { options.*member = on; });
       emit Changed();
     });
-  follow.push_back([box, get] { box->setChecked(get()); });
-  return box;
+  follow.push_back([this, box, member] { box->setChecked(scene->GetOptions().*member); });
 }
 
 QDoubleSpinBox* LookPanel::AddNumber(QFormLayout* form, const QString& name, const QString& tip,
@@ -141,6 +156,19 @@ QDoubleSpinBox* LookPanel::AddNumber(QFormLayout* form, const QString& name, con
       box->setValue(get());
     });
   return box;
+}
+
+void LookPanel::AddNumber(QFormLayout* form, const QString& name, const QString& tip, double least,
+  double most, double step, const QString& suffix, double& (*member)(scene::SceneOptions&))
+{
+  const auto get = [this, member]
+  {
+    scene::SceneOptions options = scene->GetOptions();
+    return member(options);
+  };
+  const auto set = [this, member](double value)
+  { this->Change([&](scene::SceneOptions& options) { member(options) = value; }); };
+  this->AddNumber(form, name, tip, least, most, step, suffix, "", get, set);
 }
 
 void LookPanel::AddMoments(QFormLayout* form)
@@ -174,32 +202,33 @@ void LookPanel::AddDrawing(QFormLayout* form)
   }
   this->AddChoice(
     form, "Slices", "Slices through the volume: more are finer, and take longer", counts,
-    [this] { return PlaceOf(scene->GetNumberOfSlices()); },
-    [this](int index) {
-      scene->SetNumberOfSlices(index == 0 ? 0 : sliceCounts[static_cast<std::size_t>(index - 1)]);
+    [this] { return PlaceOf(scene->GetOptions().slices); },
+    [this](int index)
+    {
+      this->Change([index](scene::SceneOptions& options)
+        { options.slices = index == 0 ? 0 : sliceCounts[static_cast<std::size_t>(index - 1)]; });
     });
-  this->AddSwitch(
-    form, "Pre-integrated",
+  this->AddSwitch(form, "Pre-integrated",
     "Integrate colours and opacities between two slices: narrow steps of colour leave no rings",
-    [this] { return scene->GetPreIntegration(); },
-    [this](bool on) { scene->SetPreIntegration(on); });
-  this->AddSwitch(
-    form, "Interpolated",
+    &scene::SceneOptions::preIntegration);
+  this->AddSwitch(form, "Interpolated",
     "Interpolate values linearly between voxels; else each place has that of its nearest voxel",
-    [this] { return scene->GetLinearInterpolation(); },
-    [this](bool on) { scene->SetLinearInterpolation(on); });
-  this->AddChoice(
-    form, "Drawn by", "The slices of this program, or VTK's GPU ray caster for comparison",
-    {"Slices", "VTK's ray caster"}, [this] { return scene->GetMapper(); },
-    [this](int index) { scene->SetMapper(index); });
+    &scene::SceneOptions::linearInterpolation);
+  this->AddChoice(form, "Drawn by",
+    "The slices of this program, or VTK's GPU ray caster for comparison",
+    {"Slices", "VTK's ray caster"}, &scene::SceneOptions::mapper);
   this->AddNumber(
     form, "Stretch", "How many times heights are stretched; 0: automatic, by the size of the frame",
-    0.0, 50.0, 0.5, " ×", "automatic", [this] { return scene->GetExaggeration(); },
-    [this](double times) { scene->SetExaggeration(times); });
-  this->AddChoice(
-    form, "Frame", "What fills the view at a magnification of 1: the echo, or the whole domain",
-    {"Echo", "Domain"}, [this] { return scene->GetFraming(); },
-    [this](int index) { scene->SetFraming(index); });
+    0.0, 50.0, 0.5, " ×", "automatic",
+    [this] { return scene->GetOptions().exaggeration.value_or(0.0); },
+    [this](double times)
+    {
+      this->Change([times](scene::SceneOptions& options)
+        { options.exaggeration = times > 0.0 ? std::optional(times) : std::nullopt; });
+    });
+  this->AddChoice(form, "Frame",
+    "What fills the view at a magnification of 1: the echo, or the whole domain",
+    {"Echo", "Domain"}, &scene::SceneOptions::framing);
   this->AddChoice(
     form, "Projection", "Perspective, or parallel lines of sight", {"Perspective", "Parallel"},
     [this] { return scene->GetParallelProjection() ? 1 : 0; },
@@ -213,8 +242,13 @@ void LookPanel::AddMaps(QFormLayout* form)
     form, "View", "The volume, or a map of one value of each column",
     {"Volume", "Largest value of each column", "Lowest value that was scanned",
       "Echo top at 18 dBZ", "Vertically integrated liquid (VIL)", "VIL density", "At a height"},
-    [this] { return PlaceOfPlan(scene->GetPlan()); },
-    [this](int index) { this->ChooseView(plans[static_cast<std::size_t>(index)]); });
+    [this]
+    {
+      const auto place =
+        std::find(offeredViews.begin(), offeredViews.end(), ViewOf(scene->GetOptions()));
+      return static_cast<int>(place - offeredViews.begin());
+    },
+    [this](int index) { this->ChooseView(offeredViews[static_cast<std::size_t>(index)]); });
   mapArray = this->AddChoice(
     form, "Map of",
     "What a map shows of the voxel of each column: the moment, or how the radars saw the voxel", {},
@@ -224,34 +258,47 @@ void LookPanel::AddMaps(QFormLayout* form)
   mapHeight = this->AddNumber(
     form, "Map height", "Height of the map at a height, km above mean sea level", 0.0, 30.0, 0.5,
     " km", "", [] { return 0.0; },
-    [this](double kilometres) { scene->SetPlanHeight(kilometre * kilometres); });
+    [this](double kilometres)
+    {
+      map.height = kilometre * kilometres;
+      this->Change(
+        [this](scene::SceneOptions& options)
+        {
+          if (options.plan)
+          {
+            options.plan->height = map.height;
+          }
+        });
+    });
   follow.back() = [this] { this->FollowMaps(); };
 }
 
-void LookPanel::ChooseView(int plan)
+void LookPanel::ChooseView(const std::optional<scene::PlanLevel>& level)
 {
-  if (IsProduct(plan))
+  if (level)
   {
-    scene->SetPlanArray("");
+    map.level = *level;
+    map.array = IsProduct(level) ? "" : map.array;
+    if (level == scene::PlanLevel::Height && map.height == 0.0)
+    {
+      this->FollowMaps(); // which knows the heights of the volume
+      map.height = kilometre * std::min(usualHeight, mapHeight->maximum());
+    }
   }
-  if (plan == vtkNexradVolumeScene::AT_HEIGHT && scene->GetPlanHeight() == 0.0)
-  {
-    this->FollowMaps(); // which knows the heights of the volume
-    scene->SetPlanHeight(kilometre * std::min(usualHeight, mapHeight->maximum()));
-  }
-  this->PlaceCamera(plan);
-  scene->SetPlan(plan);
+  this->PlaceCamera(level.has_value());
+  this->Change([&](scene::SceneOptions& options)
+    { options.plan = level ? std::optional(map) : std::nullopt; });
   this->Follow();
 }
 
 // A map is seen from above. The volume is seen after it as it was before, unless the camera was
 // turned in the meantime.
-void LookPanel::PlaceCamera(int plan)
+void LookPanel::PlaceCamera(bool forMap)
 {
   constexpr double fromAbove = 90.0; // degrees
-  if (plan != vtkNexradVolumeScene::NO_PLAN)
+  if (forMap)
   {
-    if (scene->GetPlan() == vtkNexradVolumeScene::NO_PLAN)
+    if (!scene->GetOptions().plan)
     {
       before = CameraOf(scene);
     }
@@ -271,58 +318,48 @@ void LookPanel::FollowMaps()
   auto* entries = qobject_cast<QStandardItemModel*>(views->model());
   vtkImageData* volume = scene->GetVolume();
   const bool reflectivity = scene::ArrayOf(volume) == "REF";
-  for (std::size_t i = 0; i < plans.size(); ++i)
+  for (std::size_t i = 0; i < offeredViews.size(); ++i)
   {
-    entries->item(static_cast<int>(i))->setEnabled(!IsProduct(plans[i]) || reflectivity);
+    entries->item(static_cast<int>(i))->setEnabled(!IsProduct(offeredViews[i]) || reflectivity);
   }
-  const int plan = scene->GetPlan();
-  mapArray->setEnabled(plan != vtkNexradVolumeScene::NO_PLAN && !IsProduct(plan));
+  const View view = ViewOf(scene->GetOptions());
+  mapArray->setEnabled(view && !IsProduct(view));
   const QSignalBlocker quiet(mapHeight);
   if (volume != nullptr)
   {
     const std::array<double, 6> faces = scene::FacesOf(volume);
     mapHeight->setRange(faces[4] / kilometre, faces[5] / kilometre);
   }
-  mapHeight->setValue(scene->GetPlanHeight() / kilometre);
-  mapHeight->setEnabled(plan == vtkNexradVolumeScene::AT_HEIGHT);
+  mapHeight->setValue(map.height / kilometre);
+  mapHeight->setEnabled(view == scene::PlanLevel::Height);
 }
 
 void LookPanel::AddLight(QFormLayout* form)
 {
-  this->AddNumber(
-    form, "Shadow", "How strong the volume's shadows are, 0 (none) to 1", 0.0, 1.0, 0.05, "", "",
-    [this] { return scene->GetShadowStrength(); },
-    [this](double strength) { scene->SetShadowStrength(strength); });
-  this->AddNumber(
-    form, "Occlusion", "How much darker it is where little of the sky is seen, 0 (none) to 1", 0.0,
-    1.0, 0.05, "", "", [this] { return scene->GetOcclusionStrength(); },
-    [this](double strength) { scene->SetOcclusionStrength(strength); });
-  this->AddNumber(
-    form, "From", "Direction to the light in degrees clockwise from north", 0.0, 359.0, 5.0, "°",
-    "", [this] { return scene->GetLightAzimuth(); },
-    [this](double degrees) { scene->SetLightAzimuth(degrees); });
-  this->AddNumber(
-    form, "Height", "Elevation of the light above the horizon in degrees", -90.0, 90.0, 5.0, "°",
-    "", [this] { return scene->GetLightElevation(); },
-    [this](double degrees) { scene->SetLightElevation(degrees); });
+  this->AddNumber(form, "Shadow", "How strong the volume's shadows are, 0 (none) to 1", 0.0, 1.0,
+    0.05, "", [](auto& options) -> double& { return options.light.shadow; });
+  this->AddNumber(form, "Occlusion",
+    "How much darker it is where little of the sky is seen, 0 (none) to 1", 0.0, 1.0, 0.05, "",
+    [](auto& options) -> double& { return options.light.occlusion; });
+  this->AddNumber(form, "From", "Direction to the light in degrees clockwise from north", 0.0,
+    359.0, 5.0, "°", [](auto& options) -> double& { return options.light.direction.azimuth; });
+  this->AddNumber(form, "Height", "Elevation of the light above the horizon in degrees", -90.0,
+    90.0, 5.0, "°", [](auto& options) -> double& { return options.light.direction.elevation; });
 }
 
 void LookPanel::AddSurroundings(QFormLayout* form)
 {
-  this->AddChoice(
-    form, "Theme", "Light letters over a grey ground, or dark letters over a pale one",
-    {"Dark", "Light"}, [this] { return scene->GetTheme(); },
-    [this](int index) { scene->SetTheme(index); });
+  this->AddChoice(form, "Theme",
+    "Light letters over a grey ground, or dark letters over a pale one", {"Dark", "Light"},
+    &scene::SceneOptions::theme);
+  this->AddSwitch(form, "Height walls", "Lines of equal height on the walls behind the volume",
+    &scene::SceneOptions::heightWalls);
   this->AddSwitch(
-    form, "Height walls", "Lines of equal height on the walls behind the volume",
-    [this] { return scene->GetHeightWalls(); }, [this](bool on) { scene->SetHeightWalls(on); });
-  this->AddSwitch(
-    form, "Names", "Names of states and provinces on the map",
-    [this] { return scene->GetPlaceNames(); }, [this](bool on) { scene->SetPlaceNames(on); });
+    form, "Names", "Names of states and provinces on the map", &scene::SceneOptions::placeNames);
   this->AddNumber(
     form, "Rings", "Distance between rings of range about each radar in kilometres; 0: none", 0.0,
-    230.0, 10.0, " km", "none", [this] { return scene->GetRingSpacing() / 1000.0; },
-    [this](double kilometres) { scene->SetRingSpacing(1000.0 * kilometres); });
+    230.0, 10.0, " km", "none", [this] { return scene->GetOptions().ringSpacing / kilometre; },
+    [this](double kilometres) { scene->SetOption("rings", kilometre * kilometres); });
 }
 
 // The entries are the moments of the inputs, and of the volume what may give colours.
@@ -352,9 +389,9 @@ void LookPanel::FollowMoments()
   shownMoment->setCurrentText(shown);
   names.removeAll(shown);
   OfferedArrays offered{shown, names, arrays, makesAncillary};
-  OfferArrays(offered, QString::fromStdString(scene->GetColorArray()), colourArray);
+  OfferArrays(offered, QString::fromStdString(scene->GetOptions().colourBy), colourArray);
   offered.moments.clear();
-  OfferArrays(offered, QString::fromStdString(scene->GetPlanArray()), mapArray);
+  OfferArrays(offered, QString::fromStdString(map.array), mapArray);
 }
 
 void LookPanel::FollowPresets()
@@ -374,6 +411,7 @@ void LookPanel::FollowPresets()
 
 void LookPanel::Follow()
 {
+  map = scene->GetOptions().plan.value_or(map);
   for (const std::function<void()>& each : follow)
   {
     each();

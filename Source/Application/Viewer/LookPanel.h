@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Scene/Frame/CameraView.h"
+#include "Scene/SceneOptions.h"
 #include "nexrad/Model/Moment.h"
 
 #include <QWidget>
@@ -10,7 +11,6 @@
 #include <optional>
 #include <vector>
 
-class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
@@ -50,18 +50,24 @@ private:
   QComboBox* AddChoice(QFormLayout* form, const QString& name, const QString& tip,
     const std::vector<QString>& entries, const std::function<int()>& get,
     const std::function<void(int)>& set);
-  QCheckBox* AddSwitch(QFormLayout* form, const QString& name, const QString& tip,
-    const std::function<bool()>& get, const std::function<void(bool)>& set);
+  template <typename Choice>
+  void AddChoice(QFormLayout* form, const QString& name, const QString& tip,
+    const std::vector<QString>& entries, Choice scene::SceneOptions::*member);
+  void AddSwitch(
+    QFormLayout* form, const QString& name, const QString& tip, bool scene::SceneOptions::*member);
   QDoubleSpinBox* AddNumber(QFormLayout* form, const QString& name, const QString& tip,
     double least, double most, double step, const QString& suffix, const QString& automatic,
     const std::function<double()>& get, const std::function<void(double)>& set);
+  void AddNumber(QFormLayout* form, const QString& name, const QString& tip, double least,
+    double most, double step, const QString& suffix, double& (*member)(scene::SceneOptions&));
   void AddDrawing(QFormLayout* form);
   void AddLight(QFormLayout* form);
   void AddSurroundings(QFormLayout* form);
   void AddMoments(QFormLayout* form);
   void AddMaps(QFormLayout* form);
-  void ChooseView(int plan);
-  void PlaceCamera(int plan);
+  void Change(const std::function<void(scene::SceneOptions&)>& change);
+  void ChooseView(const std::optional<scene::PlanLevel>& level); ///< nothing: the volume
+  void PlaceCamera(bool forMap);
   void FollowPresets();
   void FollowMaps();
   void FollowMoments();
@@ -75,6 +81,7 @@ private:
   QDoubleSpinBox* mapHeight = nullptr;
   std::vector<MomentName> moments;           ///< of the inputs
   bool makesAncillary = false;               ///< merging again does
+  scene::PlanOptions map;                    ///< that is shown, or was shown last
   std::optional<scene::CameraView> before;   ///< the camera before a map of columns
   std::vector<std::function<void()>> follow; ///< shows one setting each
 };

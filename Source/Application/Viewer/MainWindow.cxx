@@ -402,7 +402,7 @@ void MainWindow::ShowMoment(const QString& moment)
 
 void MainWindow::ColourBy(const QString& array)
 {
-  if (array.toStdString() != view->Scene()->GetColorArray())
+  if (array.toStdString() != view->Scene()->GetOptions().colourBy)
   {
     this->OpenInputs(WithColoursOf(this->Shown(), array.toStdString()), title);
   }
@@ -413,7 +413,7 @@ void MainWindow::ShowMapOf(const QString& array)
 {
   if (array.isEmpty() || HasArray(view->Scene()->GetVolume(), array.toStdString()))
   {
-    view->Scene()->SetPlanArray(array.toStdString());
+    view->Scene()->SetOption("array", array.toStdString().c_str());
     return;
   }
   this->OpenInputs(WithMapOf(this->Shown(), array.toStdString()), title);
@@ -465,10 +465,9 @@ void MainWindow::ShowVolume(vtkImageData* volume)
 {
   if (first) // the settings that depend on what the volume holds
   {
-    view->Scene()->SetPreset(opened.drawing.scene.preset);
-    view->Scene()->SetColorFileName(opened.drawing.scene.colours.string());
-    view->Scene()->SetOpacityFileName(opened.drawing.scene.opacities.string());
-    view->Scene()->SetColorArray(opened.drawing.scene.colourBy);
+    scene::SceneOptions options = WithColoursOf(view->Scene()->GetOptions(), opened.drawing.scene);
+    options.isoValues = view->Scene()->GetOptions().isoValues; // set once the volume is there
+    view->Scene()->SetOptions(options);
     if (other && view->Scene()->GetVolume() && !SamePlace(view->Scene()->GetVolume(), volume))
     {
       view->LeavePlace();

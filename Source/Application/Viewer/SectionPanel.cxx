@@ -222,13 +222,6 @@ void SectionTool::Drag()
 namespace
 {
 
-const scene::Theme& ThemeOf(vtkNexradVolumeScene* scene)
-{
-  return scene::ThemeOf(scene->GetTheme() == vtkNexradVolumeScene::LIGHT
-                          ? scene::ThemeChoice::Light
-                          : scene::ThemeChoice::Dark);
-}
-
 QString StateText(int state)
 {
   switch (static_cast<VoxelState>(state))
@@ -399,7 +392,7 @@ void SectionPanel::Cut()
     !std::equal(scene->GetSectionA(), scene->GetSectionA() + 2, scene->GetSectionB());
   if (volume == nullptr || !scene->GetSection() || !hasLine || !scene->Update())
   {
-    chart->Show(nullptr, {}, ThemeOf(scene));
+    chart->Show(nullptr, {}, scene::ThemeOf(scene->GetOptions().theme));
     return;
   }
   filter->SetInputData(volume);
@@ -408,7 +401,8 @@ void SectionPanel::Cut()
   filter->Update();
   vtkImageData* section = filter->GetOutput();
   const char* name = volume->GetPointData()->GetScalars()->GetName();
-  chart->Show(section, scene::ScaleOf(name, scene->GetTransferFunction()), ThemeOf(scene));
+  chart->Show(section, scene::ScaleOf(name, scene->GetTransferFunction()),
+    scene::ThemeOf(scene->GetOptions().theme));
 }
 
 void SectionPanel::Tell(const QPoint& pixel)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Viewer/TransferFunctionEditor.h"
 
-#include "Options/DrawingOptions.h"
+#include "Scene/DrawingSettings.h"
 #include "Scene/Frame/VolumeInformation.h"
 #include "Scene/Shapes/Theme.h"
 #include "Scene/VolumeAppearance.h"
@@ -352,8 +352,8 @@ void TransferFunctionEditor::FollowSoon()
 TransferFunctionEditor::Settings TransferFunctionEditor::SettingsNow() const
 {
   Function* function = this->Shown();
-  return {function, function != nullptr ? function->GetMTime() : 0, scene->GetTheme(),
-    scene->GetPreset(), scene->GetColorArray()};
+  return {function, function != nullptr ? function->GetMTime() : 0, scene->GetOptions().theme,
+    scene->GetPreset(), scene->GetOptions().colourBy};
 }
 
 void TransferFunctionEditor::Follow()
@@ -368,8 +368,7 @@ void TransferFunctionEditor::Follow()
   {
     followed = now;
     this->setEnabled(now.function != nullptr);
-    chart->SetTheme(now.theme == vtkNexradVolumeScene::LIGHT ? scene::ThemeChoice::Light
-                                                             : scene::ThemeChoice::Dark);
+    chart->SetTheme(*now.theme);
     for (const int channel : {Function::RED, Function::GREEN, Function::BLUE})
     {
       channels->button(channel)->setEnabled(now.colourArray.empty());
@@ -501,7 +500,7 @@ void TransferFunctionEditor::ChoosePreset(int index)
     return;
   }
   scene->SetPreset(presets->itemText(index).toStdString());
-  scene->RemoveAllIsoValues();
+  scene->SetOption("iso-values", "");
   scene->ResetTransferFunction();
   scene->Update();
   chart->SetFunction(this->Shown());
@@ -589,7 +588,7 @@ void TransferFunctionEditor::SetIsoValues()
     }
     else
     {
-      std::vector<scene::IsoValue> wanted = application::ParseIsoValues(text.toStdString());
+      std::vector<scene::IsoValue> wanted = scene::ParseIsoValues(text.toStdString());
       for (scene::IsoValue& isoValue : wanted)
       {
         isoValue.value = labels.ToValue(isoValue.value);

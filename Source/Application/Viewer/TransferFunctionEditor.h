@@ -13,6 +13,7 @@
 #include <QWidget>
 
 #include <functional>
+#include <optional>
 #include <string>
 
 class QBoxLayout;
@@ -104,7 +105,7 @@ private:
   {
     vtkNexradTransferFunction* function = nullptr; // compared, never followed
     vtkMTimeType time = 0;
-    int theme = -1;
+    std::optional<scene::ThemeChoice> theme;
     std::string preset;
     std::string colourArray;
 

@@ -58,8 +58,7 @@ NEXRAD_ADD_OPTIONS(web)(CLI::App& command, CommandAction& action)
     "volume files beside it from a server, and follows a series that grows")
     ->required();
   AddQuietOption(command, options->quiet);
-  AddCameraOptions(command, request.camera);
-  AddAppearanceOptions(command, request.scene);
+  AddPageOptions(command, request);
   AddGridOptions(command, request.input.grid);
   const auto run = [options, &command, &action]
   {

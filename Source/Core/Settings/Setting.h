@@ -10,7 +10,8 @@
 #include <vector>
 
 /// Settings that are described once: options of the program, texts, comparison, and the options of
-/// VTK classes, Python and ParaView are all made of a table of rows (MergeSettings.h).
+/// VTK classes, Python and ParaView are all made of a table of rows (MergeSettings.h,
+/// DrawingSettings.h).
 namespace nexrad
 {
 
@@ -26,7 +27,9 @@ enum class SettingUse
 {
   Result,  ///< it changes what is made
   Machine, ///< it changes no result, but the time and memory that it takes
-  Library  ///< it changes what is made, and is no option of the program
+  Library, ///< it changes what is made, and is no option of the program
+  Picture, ///< it changes pictures and the window, and is no option of pages
+  Program  ///< likewise, and it is an option of the program alone
 };
 
 /// What is said of a setting.
@@ -37,12 +40,18 @@ struct SettingRow
   std::string shown = {};    ///< default that help texts show; empty: `usual`
   std::string excludes = {}; ///< key of the setting in whose place it stands
   SettingUse use = SettingUse::Result;
+  std::string group = {}; ///< heading in help texts
   ValueDescription value = {};
   std::string usual = {}; ///< text of the default
 
   bool IsFlag() const { return value.unit.empty(); }
+  /// Whether the program has it.
+  bool IsOption() const { return use != SettingUse::Library; }
   /// "--overlap-length"; of a flag that is on by default "--no-sharpening".
   std::string Option() const;
+  /// The text of a number: of metres, of seconds, of 0 or 1 for a flag, or of the place of a name
+  /// among those of a choice, from 0.
+  std::string TextOf(double number) const;
   /// The default that help texts show.
   const std::string& Default() const { return shown.empty() ? usual : shown; }
 };
@@ -61,23 +70,34 @@ struct Setting : SettingRow
 template <typename Settings>
 using SettingTable = std::vector<Setting<Settings>>;
 
-/// A row for the value that `member` finds in a struct: it returns a reference to it.
-template <typename Settings, typename Value, typename Member>
-Setting<Settings> MakeSetting(SettingRow row, const ValueType<Value>& type, Member member,
+/// A row for what `set` reads of a text and `text` writes.
+template <typename Settings>
+Setting<Settings> MakeSetting(SettingRow row, ValueDescription value,
+  std::function<void(Settings&, const std::string&)> set,
+  std::function<std::string(const Settings&)> text,
   std::function<std::string(const Settings&)> refusal = {})
 {
-  Setting<Settings> setting{std::move(row), {}, {}, std::move(refusal)};
-  setting.value = type;
-  setting.set = [parse = type.parse, member](Settings& settings, const std::string& text)
-  { member(settings) = parse(text); };
-  setting.text = [write = type.text, member](const Settings& settings)
-  { return write(member(settings)); };
+  Setting<Settings> setting{std::move(row), std::move(set), std::move(text), std::move(refusal)};
+  setting.value = std::move(value);
   setting.usual = setting.text(Settings());
   if (!setting.refusal)
   {
     setting.refusal = [](const Settings&) { return std::string(); };
   }
   return setting;
+}
+
+/// A row for the value that `member` finds in a struct: it returns a reference to it.
+template <typename Settings, typename Value, typename Member>
+Setting<Settings> MakeSetting(SettingRow row, const ValueType<Value>& type, Member member,
+  std::function<std::string(const Settings&)> refusal = {})
+{
+  return MakeSetting<Settings>(
+    std::move(row), ValueDescription(type),
+    [parse = type.parse, member](Settings& settings, const std::string& text)
+    { member(settings) = parse(text); },
+    [write = type.text, member](const Settings& settings) { return write(member(settings)); },
+    std::move(refusal));
 }
 
 /// The setting of a key; nullptr when there is none.
@@ -111,16 +131,35 @@ void SetOption(const Setting<Settings>& setting, const std::string& text, Settin
   setting.set(settings, setting.IsFlag() ? flag : text);
 }
 
-/// The options of the program that give these settings, in the order of the table. What has its
-/// default, what another setting refuses and what changes no result is left out.
+/// A text as it is written of the value that is read of it: "230km" for "230000m". A wrong text
+/// stays as it is.
 template <typename Settings>
-std::vector<OptionText> ToTexts(const SettingTable<Settings>& table, const Settings& settings)
+std::string NormalText(const Setting<Settings>& setting, const std::string& text)
+{
+  try
+  {
+    Settings settings;
+    setting.set(settings, text);
+    return setting.text(settings);
+  }
+  catch (const Error&)
+  {
+    return text;
+  }
+}
+
+/// The options of the program that give these settings, in the order of the table. What has the
+/// value of `usual`, what another setting refuses and what changes no result is left out.
+template <typename Settings>
+std::vector<OptionText> ToTexts(
+  const SettingTable<Settings>& table, const Settings& settings, const Settings& usual = {})
 {
   std::vector<OptionText> texts;
   for (const Setting<Settings>& setting : table)
   {
     const std::string text = setting.text(settings);
-    if (setting.use == SettingUse::Result && text != setting.usual &&
+    const bool isUsual = text == setting.text(usual) || (setting.IsFlag() && text == setting.usual);
+    if (setting.IsOption() && setting.use != SettingUse::Machine && !isUsual &&
         setting.refusal(settings).empty())
     {
       texts.push_back({setting.Option(), setting.IsFlag() ? "" : text});
@@ -163,8 +202,7 @@ bool AreSame(const SettingTable<Settings>& table, const Settings& a, const Setti
 }
 
 /// The rows as a JSON array, an object for each: key, option, kind, choices, least,
-/// most, default, excludes, use
-/// ("result", "machine", "library") and says.
+/// most, default, excludes, use ("result", "machine", "library", "picture", "program") and says.
 std::string SettingsJson(const std::vector<SettingRow>& rows);
 
 } // namespace nexrad

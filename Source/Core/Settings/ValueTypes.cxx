@@ -5,6 +5,31 @@
 
 namespace nexrad
 {
+namespace
+{
+
+template <typename Number>
+std::function<Number(const std::string&)> NumberParser(
+  Number least, Number most, const std::string& refusal)
+{
+  const std::string wrong =
+    !refusal.empty() ? refusal
+                     : "is no number from " + NumberText(least) + " to " + NumberText(most);
+  return [least, most, wrong](const std::string& text)
+  {
+    Number number{};
+    const char* begin = text.data() + (text[0] == '+' ? 1 : 0);
+    const char* end = text.data() + text.size();
+    const auto [stop, failure] = std::from_chars(begin, end, number);
+    if (failure != std::errc() || stop != end || !(number >= least && number <= most))
+    {
+      throw Error("'" + text + "' " + wrong);
+    }
+    return number;
+  };
+}
+
+} // namespace
 
 ValueType<Duration> DurationValue()
 {
@@ -81,22 +106,23 @@ ValueType<bool> FlagValue()
   return {{"flag", "", {}}, parse, [](bool on) { return on ? "on" : "off"; }};
 }
 
-ValueType<int> NumberValue(int least, int most)
+ValueType<int> NumberValue(int least, int most, const std::string& refusal)
 {
-  const auto parse = [least, most](const std::string& text)
-  {
-    int number = 0;
-    const char* end = text.data() + text.size();
-    const auto [stop, failure] = std::from_chars(text.data(), end, number);
-    if (failure != std::errc() || stop != end || number < least || number > most)
-    {
-      throw Error("'" + text + "' is no number from " + std::to_string(least) + " to " +
-                  std::to_string(most));
-    }
-    return number;
-  };
-  return {{"number", "NUMBER", {}, least, most}, parse,
+  return {{"number", "NUMBER", {}, least, most}, NumberParser(least, most, refusal),
     [](int number) { return std::to_string(number); }};
+}
+
+ValueType<double> RealValue(
+  double least, double most, const std::string& unit, const std::string& refusal)
+{
+  return {{"real", unit, {}}, NumberParser(least, most, refusal), NumberText};
+}
+
+ValueType<std::array<int, 2>> PictureSizeValue()
+{
+  return {{"size", "WxH", {}}, ParsePictureSize, [](const std::array<int, 2>& size) {
+            return std::to_string(size[0]) + "x" + std::to_string(size[1]);
+          }};
 }
 
 std::string ListOfChoices(const std::vector<std::string>& names)

@@ -46,8 +46,14 @@ ValueType<Velocity> MotionValue();
 ValueType<std::vector<MomentName>> MomentsValue();
 /// "on" and "off"; "1", "0", "true" and "false" are read as well.
 ValueType<bool> FlagValue();
-/// A whole number from `least` to `most`.
-ValueType<int> NumberValue(int least, int most);
+/// A whole number from `least` to `most`. `refusal` says after the text what is wrong and what
+/// would be right; by default "is no number from 0 to 1".
+ValueType<int> NumberValue(int least, int most, const std::string& refusal = "");
+/// Likewise any number.
+ValueType<double> RealValue(
+  double least, double most, const std::string& unit, const std::string& refusal = "");
+/// Width and height of a picture in pixels.
+ValueType<std::array<int, 2>> PictureSizeValue();
 
 /// The same type, of which only values that `isRight` takes are right; `refusal` says after the
 /// text what is wrong and what would be right.
@@ -84,10 +90,10 @@ std::string ListOfChoices(const std::vector<std::string>& names);
 
 /// One of the values, by its name. `noun` is what a name is, as "method".
 template <typename Value>
-ValueType<Value> ChoiceValue(
-  const std::string& noun, const std::vector<std::pair<std::string, Value>>& choices)
+ValueType<Value> ChoiceValue(const std::string& noun,
+  const std::vector<std::pair<std::string, Value>>& choices, const std::string& unit = "NAME")
 {
-  ValueType<Value> type{{"choice", "NAME", {}}, {}, {}};
+  ValueType<Value> type{{"choice", unit, {}}, {}, {}};
   for (const auto& [name, value] : choices)
   {
     type.choices.push_back(name);

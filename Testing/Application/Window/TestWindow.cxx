@@ -109,7 +109,7 @@ TEST_F(WindowTest, SettingsChangeThePicture)
     "pixels that the preset of the cores changes, part");
   EXPECT_EQ(window->View()->Scene()->GetPreset(), "storm cores");
   this->Choose("Slices", 1);
-  EXPECT_EQ(window->View()->Scene()->GetNumberOfSlices(), 512);
+  EXPECT_EQ(window->View()->Scene()->GetOption("slices"), "512");
   EXPECT_AT_LEAST(
     this->Changes([&] { this->Choose("Theme", 1); }), 0.5, "pixels that the theme changes, part");
   EXPECT_AT_LEAST(this->Changes([&] { this->Choose("Projection", 1); }), 0.02,
@@ -123,7 +123,7 @@ TEST_F(WindowTest, SettingsChangeThePicture)
                       QTest::keyClicks(stretch, "2\t");
                     }),
     0.02, "pixels that the stretch changes, part");
-  EXPECT_EQ(window->View()->Scene()->GetExaggeration(), 2.0);
+  EXPECT_EQ(window->View()->Scene()->GetOption("exaggeration"), "2");
   auto* walls = this->Find<QCheckBox>("Height walls");
   EXPECT_AT_LEAST(this->Changes(
                     [&] {

@@ -100,7 +100,7 @@ TEST_F(WindowCommandTest, EditedOpacitiesStayWithTheColoursOfAnotherArray)
   ASSERT_TRUE(this->Wait([&] { return this->Scene()->GetVolume() != nullptr; }));
   this->WaitForPicture();
   this->Choose("Colours of", 1);
-  ASSERT_TRUE(this->Wait([&] { return this->Scene()->GetColorArray() == "VEL"; }));
+  ASSERT_TRUE(this->Wait([&] { return this->Scene()->GetOption("colour-by") == "VEL"; }));
   this->WaitForPicture();
   const QImage before = this->TakePicture();
   QTest::keyClick(window.get(), Qt::Key_T);

@@ -136,7 +136,7 @@ TEST_F(WindowCoverageTest, TheAgeOfTheDataGivesColours)
   this->OpenTwoRadars();
   const QImage before = this->TakePicture();
   this->Choose("Colours of", 2);
-  EXPECT_TRUE(this->Wait([&] { return this->Scene()->GetColorArray() == "REF_age"; }));
+  EXPECT_TRUE(this->Wait([&] { return this->Scene()->GetOption("colour-by") == "REF_age"; }));
   this->WaitForArray("REF_age");
   EXPECT_EQ(this->Find<QComboBox>("Colours of")->currentText(), "Age of the data");
   const QImage picture = this->TakePicture();
@@ -175,8 +175,7 @@ TEST_F(WindowCoverageTest, VolumesWithTheArraysShowThemAtAHeight)
   WriteNxv(folder.Path() / "halves.nxv", volume);
   this->OpenFirst(folder.Path() / "halves.nxv");
   this->Choose("View", 6);
-  EXPECT_EQ(this->Scene()->GetPlan(), vtkNexradVolumeScene::AT_HEIGHT);
-  EXPECT_EQ(this->Scene()->GetPlanHeight(), 3000.0);
+  EXPECT_EQ(this->Scene()->GetOption("map"), "3km");
   this->Choose("Map of", 1);
   this->WaitForPicture();
   EXPECT_TRUE(this->IsOn("Map of", "Age of the data"));
@@ -188,7 +187,7 @@ TEST_F(WindowCoverageTest, VolumesWithTheArraysShowThemAtAHeight)
   EXPECT_AT_MOST(MeanDifference(picture, this->DrawWithoutTheWindow()), contextBound,
     "map at a height in the window and of the copied command, of 255", contextReason);
   this->Enter("Map height", "7.5");
-  EXPECT_EQ(this->Scene()->GetPlanHeight(), 7500.0);
+  EXPECT_EQ(this->Scene()->GetOption("map"), "7500m");
   this->Choose("View", -3);
-  EXPECT_EQ(this->Scene()->GetPlanArray(), "") << "an echo top is of reflectivity";
+  EXPECT_EQ(this->Scene()->GetOption("array"), "") << "an echo top is of reflectivity";
 }

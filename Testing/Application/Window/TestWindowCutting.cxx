@@ -316,7 +316,7 @@ TEST_F(WindowCuttingTest, TheCropBoxHidesWhatIsOutsideByNumbers)
 {
   this->OpenWide(1);
   vtkNexradVolumeScene* scene = window->View()->Scene();
-  scene->SetFraming(vtkNexradVolumeScene::ECHO);
+  scene->SetOption("frame", "echo");
   EXPECT_TRUE(scene->Update());
   this->Tick("Crop");
   EXPECT_TRUE(scene->GetCropping());
@@ -327,7 +327,7 @@ TEST_F(WindowCuttingTest, TheCropBoxHidesWhatIsOutsideByNumbers)
   {
     EXPECT_NEAR(scene->GetCropBounds()[i], frame[i], 1.0) << "first the frame";
   }
-  scene->SetFraming(vtkNexradVolumeScene::DOMAIN);
+  scene->SetOption("frame", "domain");
   this->Find<QPushButton>("Whole volume")->click();
   EXPECT_EQ(scene->GetCropBounds()[0], -240'000.0);
   EXPECT_AT_LEAST(this->Changes(
@@ -429,12 +429,12 @@ TEST_F(WindowCuttingTest, TheViewShowsEchoTopsAndLiquid)
   this->OpenWide(1);
   vtkNexradVolumeScene* scene = window->View()->Scene();
   this->Choose("View", 3);
-  EXPECT_EQ(scene->GetPlan(), vtkNexradVolumeScene::ECHO_TOP);
+  EXPECT_EQ(scene->GetOption("map"), "echo-top:18");
   window->grab().save(QString(NEXRAD_TEST_OUTPUT_DIR) + "/WindowEchoTop.png");
   EXPECT_AT_LEAST(this->Changes([&] { this->Choose("View", 1); }), 0.12,
     "pixels that differ between echo tops and liquid, part");
-  EXPECT_EQ(scene->GetPlan(), vtkNexradVolumeScene::LIQUID);
+  EXPECT_EQ(scene->GetOption("map"), "vil");
   window->grab().save(QString(NEXRAD_TEST_OUTPUT_DIR) + "/WindowLiquid.png");
   this->Choose("View", 1);
-  EXPECT_EQ(scene->GetPlan(), vtkNexradVolumeScene::LIQUID_DENSITY);
+  EXPECT_EQ(scene->GetOption("map"), "vil-density:18");
 }

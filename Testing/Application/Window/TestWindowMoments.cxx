@@ -87,7 +87,8 @@ TEST_F(WindowMomentsTest, AnotherMomentGivesTheColours)
   const auto choose = [&](int down, const std::string& array)
   {
     this->Choose("Colours of", down);
-    EXPECT_TRUE(this->Wait([&] { return window->View()->Scene()->GetColorArray() == array; }));
+    EXPECT_TRUE(
+      this->Wait([&] { return window->View()->Scene()->GetOption("colour-by") == array; }));
     return this->WaitForPicture();
   };
   EXPECT_AT_LEAST(
@@ -106,7 +107,7 @@ TEST_F(WindowMomentsTest, InterpolationIsSwitchedOff)
                       QTest::mouseClick(interpolated, Qt::LeftButton, {}, {8, 8});
                     }),
     0.016, "pixels that the nearest voxels change, part");
-  EXPECT_FALSE(window->View()->Scene()->GetLinearInterpolation());
+  EXPECT_EQ(window->View()->Scene()->GetOption("interpolation"), "nearest");
 }
 
 // They are merged again for the moment, at the time that is shown.

@@ -162,7 +162,7 @@ TEST_F(WindowTransferFunction, ColoursOfAnotherArrayAreNotEdited)
   this->OpenEditor();
   this->Click("Red channel");
   EXPECT_EQ(chart->Channel(), Function::RED);
-  window->View()->Scene()->SetColorArray("REF");
+  window->View()->Scene()->SetOption("colour-by", "REF");
   window->View()->DrawSoon();
   this->WaitForPicture();
   QTest::qWait(50);

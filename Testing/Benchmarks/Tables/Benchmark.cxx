@@ -34,16 +34,6 @@ struct BenchOptions
   bool json = false;
 };
 
-MergeMethod ParseMethod(const std::string& text)
-{
-  const auto method = ParseMergeMethod(text);
-  if (!method)
-  {
-    throw Error("'" + text + "' is no method of merging; nexrad3d grid --help names them");
-  }
-  return *method;
-}
-
 std::vector<std::string> NamesOf(const std::vector<BenchPart>& parts)
 {
   std::vector<std::string> names;
@@ -73,13 +63,10 @@ void AddOptions(CLI::App& program, BenchOptions& options, BenchRequest& request)
       "Voxels of the merged volumes, as 256x256x128; may be given many times (default: the "
       "thesis's three)")
     ->allow_extra_args(false);
-  AddParsedOption(program, "--method", request.options.method, ParseMethod, "NAME",
-    "How rays become voxels", ToString(request.options.method));
-  AddParsedOption(program, "--quality", request.options.quality.level, ParseQuality, "NAME",
-    "What quality control takes out of REF: off, standard or strict; of the method beam",
-    "standard");
-  AddParsedOption(program, "--max-gap", request.options.maximumGap, ParseDuration, "DURATION",
-    "A site's volume farther than this from a time does not count", "15min");
+  for (const char* key : {"method", "quality", "max-gap"})
+  {
+    AddSetting(program, *FindSetting(MergeSettings(), key), request.options);
+  }
   program.add_flag("--json", options.json, "Print JSON, units in the names (default: tables)");
 }
 
