@@ -4,8 +4,8 @@
 #include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/Merging/MemoryLimit.h"
 #include "nexrad/Merging/TimeMerge.h"
+#include "nexrad/Series/Catalogue.h"
 #include "nexrad/Series/ScannedFile.h"
-#include "nexrad/Series/SiteSeries.h"
 
 #include <cstddef>
 #include <optional>

@@ -42,6 +42,11 @@ MomentOptions MomentOptionsOf(const MergeRules& rules)
   return options;
 }
 
+VolumeRule VolumeRuleOf(const MergeRules& rules)
+{
+  return {rules.method == MergeMethod::Thesis, rules.maximumGap};
+}
+
 void RequireMoment(MergeMethod method, MomentName moment)
 {
   if (method == MergeMethod::Thesis && moment != MomentName::REF)

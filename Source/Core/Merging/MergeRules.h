@@ -5,6 +5,7 @@
 #include "nexrad/Model/Moment.h"
 #include "nexrad/Moments/MomentOptions.h"
 #include "nexrad/Motion/MotionField.h"
+#include "nexrad/Series/VolumeSelection.h"
 
 #include <optional>
 #include <string_view>
@@ -52,6 +53,9 @@ struct MergeRules : MomentOptions
 /// How the moments are made for the method of the rules: Thesis takes the gates as they are, but
 /// for despeckling.
 MomentOptions MomentOptionsOf(const MergeRules& rules);
+
+/// Which volumes the method takes: Thesis by their nominal times, Beam those about the time.
+VolumeRule VolumeRuleOf(const MergeRules& rules);
 
 /// Throws Error when the method does not know the moment: Thesis knows REF alone.
 void RequireMoment(MergeMethod method, MomentName moment);

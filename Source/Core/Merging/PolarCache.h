@@ -2,7 +2,7 @@
 #pragma once
 
 #include "nexrad/Polar/PolarVolume.h"
-#include "nexrad/Series/SiteSeries.h"
+#include "nexrad/Series/Catalogue.h"
 
 #include <cstddef>
 #include <filesystem>

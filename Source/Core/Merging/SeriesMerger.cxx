@@ -72,13 +72,6 @@ std::vector<ReadyVolume> OfRadar(const std::vector<ReadyVolume>& volumes, const 
   return own;
 }
 
-// The volumes that a request takes.
-VolumeChoice ChoiceOf(const MergeRequest& request)
-{
-  return [&request](const std::vector<Time>& starts, const std::vector<Time>& ends)
-  { return ChooseVolumes(starts, ends, request); };
-}
-
 // What stands for a file of which nothing is known.
 bool IsUnknown(const ScannedFile& file)
 {
@@ -91,31 +84,33 @@ SeriesOptions OneThreadAFile(SeriesOptions series)
   return series;
 }
 
-// What the volumes of a radar that some time step takes have near the ground.
-void AddLowEchoes(const SiteSeries& series, const std::vector<Time>& times,
-  const MergeRequest& request, LowEchoes& echoes)
+// What the volumes that some time takes have near the ground.
+LowEchoes LowEchoesAt(
+  const std::vector<Time>& times, const VolumeRule& rule, const Catalogue& catalogue)
 {
-  std::set<const SeriesVolume*> taken;
-  MergeRequest at = request;
+  std::set<std::pair<std::size_t, const SeriesVolume*>> taken; // by radar and start
   for (const Time time : times)
   {
-    at.time = time;
-    const auto chosen = ChooseWith(MomentName::REF, series.volumes, ChoiceOf(at));
-    taken.insert(chosen.begin(), chosen.end());
+    for (const auto& [moment, site, volume] : catalogue.ChosenAt(time, rule, {MomentName::REF}))
+    {
+      taken.emplace(site, volume);
+    }
   }
-  for (const SeriesVolume* volume : taken)
+  LowEchoes echoes;
+  for (const auto& [site, volume] : taken)
   {
     if (volume->lowEcho)
     {
       echoes.push_back(volume->lowEcho);
     }
   }
+  return echoes;
 }
 
-LowEchoes AllLowEchoes(const SeriesScan& scan)
+LowEchoes AllLowEchoes(const Catalogue& catalogue)
 {
   LowEchoes echoes;
-  for (const SiteSeries& series : scan.sites)
+  for (const SiteSeries& series : catalogue.sites)
   {
     for (const SeriesVolume& volume : series.volumes)
     {
@@ -259,23 +254,17 @@ SeriesFiles SeriesMerger::FilesByScan() const
 {
   SeriesFiles files{found.paths, {}, {}};
   files.known.resize(found.paths.size());
-  std::map<std::filesystem::path, std::size_t> indices;
-  for (std::size_t index = 0; index < found.paths.size(); ++index)
-  {
-    indices.emplace(found.paths[index], index);
-  }
   for (const SiteSeries& series : scan->sites)
   {
     SiteFileList site{series.site.name, {}};
     for (const SeriesVolume& volume : series.volumes)
     {
-      const std::size_t index = indices.at(volume.file);
-      if (!files.known[index])
+      if (!files.known[volume.input])
       {
-        files.known[index].emplace();
-        site.files.push_back({index, volume.start});
+        files.known[volume.input].emplace();
+        site.files.push_back({volume.input, volume.start});
       }
-      files.known[index]->volumes.emplace_back(series.site, volume);
+      files.known[volume.input]->volumes.emplace_back(series.site, volume);
     }
     files.sites.push_back(std::move(site));
   }
@@ -287,13 +276,7 @@ void SeriesMerger::MakeLoader(SeriesFiles files)
   LoaderWork work;
   work.prepare = [shared = planned](const std::shared_ptr<const PolarVolume>& volume)
   { return MakeReady(volume, shared->Get()); };
-  work.choose = [rules = request](
-                  const std::vector<Time>& starts, const std::vector<Time>& ends, Time time)
-  {
-    MergeRequest at = rules;
-    at.time = time;
-    return ChooseVolumes(starts, ends, at);
-  };
+  work.rule = VolumeRuleOf(request);
   decodedBefore += loader ? loader->DecodedFiles() : 0;
   follower = nullptr;
   loader = std::make_unique<VolumeLoader>(
@@ -451,17 +434,8 @@ void SeriesMerger::FindBiases()
 
 BiasReport SeriesMerger::CompareRadars() const
 {
-  if (scan)
-  {
-    return nexrad::CompareRadars(AllLowEchoes(*scan));
-  }
-  const SeriesScan known = this->KnownScan();
-  LowEchoes echoes;
-  for (const SiteSeries& series : known.sites)
-  {
-    AddLowEchoes(series, times, request, echoes);
-  }
-  return nexrad::CompareRadars(echoes);
+  return nexrad::CompareRadars(
+    scan ? AllLowEchoes(*scan) : LowEchoesAt(times, VolumeRuleOf(request), this->KnownScan()));
 }
 
 std::vector<InputProblem> SeriesMerger::Problems() const
@@ -516,6 +490,12 @@ void SeriesMerger::EndAt(Time time)
   loader->EndAt(time);
 }
 
+// Of all volumes, those that a time takes.
+std::vector<ChosenVolume> SeriesMerger::ChosenAt(Time time) const
+{
+  return scan->ChosenAt(time, VolumeRuleOf(request), options.Moments());
+}
+
 // Of radars whose summaries tell how far they see, those that see the block, in the order of the
 // scan; empty: all.
 std::vector<bool> SeriesMerger::FindReaching()
@@ -527,15 +507,11 @@ std::vector<bool> SeriesMerger::FindReaching()
   std::vector<SiteReach> reaches;
   for (const SiteSeries& series : scan->sites)
   {
-    SiteReach reach{*series.site.position, 0.0};
-    for (const MomentName moment : options.Moments())
-    {
-      for (const auto* volume : ChooseWith(moment, series.volumes, ChoiceOf(request)))
-      {
-        reach.reach = std::max(reach.reach, volume->summary->reach);
-      }
-    }
-    reaches.push_back(reach);
+    reaches.push_back({*series.site.position, 0.0});
+  }
+  for (const auto& [moment, site, volume] : this->ChosenAt(request.time))
+  {
+    reaches[site].reach = std::max(reaches[site].reach, volume->summary->reach);
   }
   if (request.method == MergeMethod::Beam)
   {
@@ -553,17 +529,15 @@ std::vector<bool> SeriesMerger::FindReaching()
 void SeriesMerger::AddSweepless(
   const std::vector<bool>& reaching, std::vector<ReadyVolume>& volumes)
 {
-  for (std::size_t site = 0; site < reaching.size(); ++site)
+  if (reaching.empty())
   {
-    const SiteSeries& series = scan->sites[site];
-    for (const MomentName moment : options.Moments())
+    return;
+  }
+  for (const auto& [moment, site, volume] : this->ChosenAt(request.time))
+  {
+    if (!reaching[site])
     {
-      const auto chosen = reaching[site] ? std::vector<const SeriesVolume*>()
-                                         : ChooseWith(moment, series.volumes, ChoiceOf(request));
-      for (const SeriesVolume* volume : chosen)
-      {
-        volumes.push_back(run.WithoutSweeps(series.site, *volume, request, moment));
-      }
+      volumes.push_back(run.WithoutSweeps(scan->sites[site].site, *volume, request, moment));
     }
   }
 }
@@ -816,7 +790,10 @@ bool SeriesMerger::Confirm()
     return true;
   }
   gathered = this->Gather();
-  const bool asIn = !gathered->sites.empty() && loader->IsAsIn(*gathered) &&
+  const auto isAsMade = [&](const std::pair<Time, std::string>& step)
+  { return step.second == gathered->MadeOf(step.first, VolumeRuleOf(request), options.Moments()); };
+  const std::map<Time, std::string>& made = loader->Made();
+  const bool asIn = !gathered->sites.empty() && std::all_of(made.begin(), made.end(), isAsMade) &&
                     request.grid == GridOf(options, gathered->Positions(), gathered->Range()) &&
                     !FindPause(options, gathered->Spans()) &&
                     times == TimeStepsOf(options, *gathered);

@@ -168,6 +168,7 @@ private:
   SeriesScan Collect(const std::vector<std::optional<ScannedFile>>& known) const;
   SeriesScan KnownScan() const;
   SeriesScan Gather() const;
+  std::vector<ChosenVolume> ChosenAt(Time time) const;
   std::vector<bool> FindReaching();
   void AddSweepless(const std::vector<bool>& reaching, std::vector<ReadyVolume>& volumes);
   std::optional<std::vector<ReadyVolume>> VolumesAbout(

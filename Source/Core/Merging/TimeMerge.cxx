@@ -4,7 +4,6 @@
 #include "nexrad/Grid/VolumeMoments.h"
 #include "nexrad/Merging/MergeSettings.h"
 #include "nexrad/Model/SiteKey.h"
-#include "nexrad/Series/VolumeSelection.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/Thesis/ThesisGeometry.h"
 #include "nexrad/Thesis/ThesisMerge.h"
@@ -52,7 +51,8 @@ VolumeList ChooseVolumes(const VolumeList& own, const MergeRequest& request)
     ends.push_back(volume->end);
   }
   VolumeList chosen;
-  for (const std::size_t index : ChooseVolumes(starts, ends, request))
+  for (const std::size_t index :
+    nexrad::ChooseVolumes(starts, ends, request.time, VolumeRuleOf(request)))
   {
     chosen.push_back(own[index]);
   }
@@ -141,25 +141,6 @@ ReadyVolume MakeReady(const std::shared_ptr<const PolarVolume>& volume, const Me
   }
   return {nullptr,
     std::make_shared<const BeamVolume>(PrepareForGrid(*volume, request.grid, request.beam))};
-}
-
-std::vector<std::size_t> ChooseVolumes(
-  const std::vector<Time>& starts, const std::vector<Time>& ends, const MergeRequest& request)
-{
-  if (request.method == MergeMethod::Beam)
-  {
-    return FindVolumesAbout(starts, ends, request.time, request.maximumGap);
-  }
-  const VolumeBracket bracket = FindBracket(starts, request.time, request.maximumGap);
-  std::vector<std::size_t> chosen;
-  for (const std::optional<std::size_t>& index : {bracket.before, bracket.after})
-  {
-    if (index)
-    {
-      chosen.push_back(*index);
-    }
-  }
-  return chosen;
 }
 
 BeamMerger& MergeRun::MergerFor(const MergeRequest& request)

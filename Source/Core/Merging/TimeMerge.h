@@ -6,7 +6,7 @@
 #include "nexrad/Merging/MergeRules.h"
 #include "nexrad/Motion/MotionTracker.h"
 #include "nexrad/Polar/PolarVolume.h"
-#include "nexrad/Series/SiteSeries.h"
+#include "nexrad/Series/Catalogue.h"
 #include "nexrad/System/Progress.h"
 
 #include <memory>
@@ -39,12 +39,6 @@ struct ReadyVolume
 /// request without means does: the merge makes what is missing.
 ReadyVolume MakeReady(
   const std::shared_ptr<const PolarVolume>& volume, const MergeRequest& request);
-
-/// Indices of the volumes of one site that a request takes, from their starts, which ascend, and
-/// ends: for Thesis FindBracket, for Beam FindVolumesAbout. A volume that started at or before the
-/// time and is not taken is not taken at any later time either.
-std::vector<std::size_t> ChooseVolumes(
-  const std::vector<Time>& starts, const std::vector<Time>& ends, const MergeRequest& request);
 
 /// What merges at several times of one grid share: the radars' geometry, the volumes of the last
 /// one made ready, and what their motion was found from. A run passes one object to all its merges,

@@ -19,7 +19,6 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -35,10 +34,7 @@ struct LoaderWork
 {
   /// Makes a moment of a volume ready. Called from several threads at once.
   std::function<ReadyVolume(const std::shared_ptr<const PolarVolume>&)> prepare;
-  /// Which of a site's volumes are needed at a time, from their starts, which ascend, and ends.
-  std::function<std::vector<std::size_t>(
-    const std::vector<Time>& starts, const std::vector<Time>& ends, Time time)>
-    choose;
+  VolumeRule rule; ///< by which the volumes of a time are chosen
 };
 
 /// The files of a series, by radar and time.
@@ -55,7 +51,7 @@ struct SeriesFiles
 ///
 /// What is needed at a time is decided by the rays of the files about it; which files lie about it,
 /// by the times that SeriesFiles has for them. Where these are those of the files' headers, a
-/// header that errs may hide a volume: IsAsIn and HeadersErr find that out. What a time needs does
+/// header that errs may hide a volume: Made and HeadersErr tell. What a time needs does
 /// not depend on the times asked for before. When times ascend, each file is decoded once, and
 /// memory does not grow with the length of the day; when they do not, a file is taken from the
 /// cache, or decoded again. With a cache nothing is decoded ahead of the first time, whose volume
@@ -111,8 +107,8 @@ public:
   /// not begin near the header's time, in the order of the headers.
   bool HeadersErr() const;
 
-  /// True when at each time so far the choice was the one that a scan of all files leads to.
-  bool IsAsIn(const SeriesScan& scan) const;
+  /// What each time so far is made of (Catalogue::MadeOf), by the files that were known then.
+  const std::map<Time, std::string>& Made() const { return made; }
 
 private:
   struct HeldVolume
@@ -140,19 +136,6 @@ private:
     ScannedFile scanned;
     std::vector<HeldVolume> held;
   };
-  struct SiteFiles
-  {
-    SiteFileList list;
-    std::vector<SeriesVolume> volumes; ///< of the files that are known, by start, no two alike
-  };
-  /// A volume that a time needs, for one moment.
-  struct Need
-  {
-    MomentName moment;
-    const SeriesVolume* volume;
-  };
-  /// Moment, file and cycle of each.
-  using Choice = std::vector<std::tuple<MomentName, std::filesystem::path, std::size_t>>;
 
   void Work();
   std::optional<std::size_t> NextFile();
@@ -160,18 +143,18 @@ private:
   std::vector<TimedFile>::const_iterator EndOfAhead(Time time) const;
   std::vector<HeldVolume> Load(std::size_t index, ScannedFile& scanned);
   void Keep(std::size_t index, ScannedFile scanned, std::vector<HeldVolume> held);
-  void Learn(SiteFiles& site, const ScannedFile& scanned);
+  void LearnFile(std::size_t index, const ScannedFile& scanned);
   void Want(std::size_t index);
   bool IsWanted(std::size_t site) const;
   std::vector<HeldVolume> FindKept(const ScannedFile& scanned);
-  std::size_t LaterNeeded(const SiteFiles& site, MomentName moment, Time time) const;
-  bool KnowsAbout(const SiteFiles& site, MomentName moment, Time time);
+  bool TakesStarted(std::size_t site, MomentName moment, Time time) const;
+  bool KnowsAbout(std::size_t site, MomentName moment, Time time);
   bool KnowsAbout(Time time);
-  VolumeChoice ChoiceAt(Time time) const;
-  std::vector<Need> ChosenAt(Time time) const;
+  bool KnowsWithoutLoading(Time time);
+  std::vector<ChosenVolume> ChosenAt(Time time) const;
   HeldVolume* FindHeld(const SeriesVolume& volume);
-  std::optional<std::vector<Need>> Demand(Time time);
-  void Release(Time time, const std::vector<Need>& needed);
+  std::optional<std::vector<ChosenVolume>> Demand(Time time);
+  void Release(Time time, const std::vector<ChosenVolume>& needed);
   bool WaitFor(std::unique_lock<std::mutex>& lock, const std::function<bool()>& there,
     const Progress& progress = {});
 
@@ -181,13 +164,13 @@ private:
   const LoaderWork work;
   const std::shared_ptr<PolarCache> cache;
   const unsigned threadCount;
-  std::map<std::filesystem::path, std::size_t> indices;
+  const std::vector<SiteFileList> sites;
   std::atomic<std::size_t> decodedFiles{0};
 
   mutable std::mutex mutex; // guards all that follows but the threads
   std::condition_variable changed;
-  std::vector<File> files; // by index
-  std::vector<SiteFiles> sites;
+  std::vector<File> files;        // by index
+  Catalogue catalogue;            // of the files that are known, its radars as in `sites`
   std::deque<std::size_t> wanted; // to be decoded first
   std::vector<bool> wantedSites;  // by the last time; empty: all
   std::vector<TimedFile> order;   // all, by time
@@ -199,7 +182,7 @@ private:
   bool looksAhead;                // a file is decoded before a time needs it
   bool stopped = false;
   std::exception_ptr failure;
-  std::map<Time, Choice> choices;
+  std::map<Time, std::string> made;
   ThreadGroup threads;
 };
 

@@ -5,7 +5,7 @@
 #include "nexrad/Model/RadarVolume.h"
 #include "nexrad/Moments/MomentOptions.h"
 #include "nexrad/Polar/PolarVolume.h"
-#include "nexrad/Series/SiteSeries.h"
+#include "nexrad/Series/Catalogue.h"
 #include "nexrad/System/Processes.h"
 
 #include <filesystem>
@@ -70,10 +70,6 @@ ScannedFile ScanFile(
 /// The same of a file that was decoded before, or of a part of it; `path` names it.
 ScannedFile ScanVolume(const RadarVolume& whole, const std::filesystem::path& path,
   const SeriesOptions& options, const VolumeVisitor& visitor);
-
-/// The order of a site's volumes: by their first rays; of two that share it the one that stays,
-/// with more rays, first.
-bool IsBefore(const SeriesVolume& a, const SeriesVolume& b);
 
 /// Says that two radars of one name stand at two places (StandApart): where `site` stands, and
 /// where others of its name do.
