@@ -2,7 +2,6 @@
 #include "nexrad/Merging/SeriesMerger.h"
 
 #include "nexrad/Series/InputError.h"
-#include "nexrad/Series/ScanInputs.h"
 #include "nexrad/Series/SharedScan.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/Thesis/ThesisGeometry.h"
@@ -379,13 +378,13 @@ bool SeriesMerger::ScanFiles(const Progress& progress)
     cache = std::make_shared<PolarCache>(memoryForRays);
   }
   SeriesOptions series = this->ScanOptions();
-  series.processes = setup.processes;
   series.threads = setup.threads;
-  series.order = setup.order;
   series.summaries = setup.scanFirst;
   const auto keep = [this](const SeriesVolume& key, const RadarVolume&,
                       const PolarCache::Volume& volume) { cache->Offer(key, volume); };
-  scan = nexrad::ScanFiles(found, series, keep, progress);
+  const auto files =
+    ScanTogether(found.paths, setup.processes, setup.order, series, keep, progress);
+  scan = files ? std::optional(CollectSeries(found.problems, *files)) : std::nullopt;
   return scan.has_value();
 }
 

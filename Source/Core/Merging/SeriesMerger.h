@@ -9,6 +9,7 @@
 #include "nexrad/Merging/MergeOptions.h"
 #include "nexrad/Merging/PolarCache.h"
 #include "nexrad/Merging/VolumeLoader.h"
+#include "nexrad/Series/SharedScan.h"
 #include "nexrad/System/Processes.h"
 #include "nexrad/System/Progress.h"
 

@@ -6,7 +6,6 @@
 #include "nexrad/Moments/MomentOptions.h"
 #include "nexrad/Polar/PolarVolume.h"
 #include "nexrad/Series/Catalogue.h"
-#include "nexrad/System/Processes.h"
 
 #include <filesystem>
 #include <functional>
@@ -19,14 +18,6 @@
 namespace nexrad
 {
 
-/// What the files that one of several processes scans have in common.
-enum class ScanOrder
-{
-  ByTime,      ///< neighbouring times
-  ByLongitude, ///< neighbouring sites from west to east, and their times
-  ByLatitude   ///< neighbouring sites from south to north, and their times
-};
-
 /// What a scan makes of the files; as MomentOptions, how it makes the volumes that visitors get and
 /// that summaries are made of.
 struct SeriesOptions : MomentOptions
@@ -38,8 +29,6 @@ struct SeriesOptions : MomentOptions
   bool lowEchoes = false; ///< make SeriesVolume::lowEcho where REF is among the moments
   bool summaries = false; ///< make the summaries of the volumes, of the moments, one at least
   unsigned threads = 0;   ///< that decode files; 0: as many as there are cores
-  Processes processes;    ///< that scan the inputs together
-  ScanOrder order = ScanOrder::ByTime; ///< of the parts that they scan
 
   /// `moment` and those beside it.
   std::vector<MomentName> Moments() const;
