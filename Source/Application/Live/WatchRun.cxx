@@ -5,7 +5,6 @@
 #include "Live/LiveStatus.h"
 #include "Live/PictureProcess.h"
 #include "Output/StopSignal.h"
-#include "Volumes/OtherVolumes.h"
 #include "nexrad/Grid/GridText.h"
 #include "nexrad/Live/AwaitedEnds.h"
 #include "nexrad/Live/LiveSeries.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Volumes/WriteVolumes.h"
 
-#include "Volumes/OtherVolumes.h"
 #include "nexrad/Archives/StoredFiles.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Merging/SeriesMerger.h"

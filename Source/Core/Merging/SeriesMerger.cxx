@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Merging/SeriesMerger.h"
 
-#include "nexrad/Series/InputError.h"
+#include "nexrad/Series/InputFiles.h"
 #include "nexrad/Series/SharedScan.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/Thesis/ThesisGeometry.h"

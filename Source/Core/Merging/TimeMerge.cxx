@@ -21,57 +21,21 @@ namespace nexrad
 namespace
 {
 
-using VolumeList = std::vector<const PolarVolume*>;
-
-// The volumes of each site, by their starts.
-std::vector<VolumeList> GroupBySite(const VolumeList& volumes)
-{
-  std::map<SiteKey, VolumeList> sites;
-  for (const PolarVolume* volume : volumes)
-  {
-    sites[KeyOf(volume->site)].push_back(volume);
-  }
-  std::vector<VolumeList> lists;
-  for (auto& site : sites)
-  {
-    std::stable_sort(site.second.begin(), site.second.end(),
-      [](const PolarVolume* a, const PolarVolume* b) { return a->start < b->start; });
-    lists.push_back(std::move(site.second));
-  }
-  return lists;
-}
-
-VolumeList ChooseVolumes(const VolumeList& own, const MergeRequest& request)
-{
-  std::vector<Time> starts;
-  std::vector<Time> ends;
-  for (const PolarVolume* volume : own)
-  {
-    starts.push_back(volume->start);
-    ends.push_back(volume->end);
-  }
-  VolumeList chosen;
-  for (const std::size_t index :
-    nexrad::ChooseVolumes(starts, ends, request.time, VolumeRuleOf(request)))
-  {
-    chosen.push_back(own[index]);
-  }
-  return chosen;
-}
-
 std::optional<GriddedVolume> MergeByThesis(
-  const std::vector<VolumeList>& sites, const MergeRequest& request, const Progress& progress)
+  const std::vector<ReadyVolume>& volumes, const MergeRequest& request, const Progress& progress)
 {
-  std::vector<SiteBracket> brackets;
+  std::map<SiteKey, SiteBracket> sites;
   bool synthetic = false;
-  for (const VolumeList& chosen : sites)
+  for (const ReadyVolume& each : volumes)
   {
-    SiteBracket bracket;
-    for (const PolarVolume* volume : chosen)
-    {
-      (volume->start <= request.time ? bracket.before : bracket.after) = volume;
-      synthetic = synthetic || volume->synthetic;
-    }
+    const PolarVolume& volume = *each.polar;
+    SiteBracket& bracket = sites[KeyOf(volume.site)];
+    (volume.start <= request.time ? bracket.before : bracket.after) = &volume;
+    synthetic = synthetic || volume.synthetic;
+  }
+  std::vector<SiteBracket> brackets;
+  for (const auto& [key, bracket] : sites)
+  {
     brackets.push_back(bracket);
   }
   std::optional<GriddedVolume> merged =
@@ -81,15 +45,6 @@ std::optional<GriddedVolume> MergeByThesis(
     merged->synthetic = synthetic;
   }
   return merged;
-}
-
-std::optional<GriddedVolume> MergeByBeam(
-  const VolumeList& volumes, const MergeRequest& request, const Progress& progress, MergeRun& run)
-{
-  BeamMerger& merger = run.MergerFor(request);
-  const BeamVolumes ready = merger.Prepare(volumes, request.loop);
-  const std::shared_ptr<const MotionField> motion = run.MotionFor(ready, request);
-  return merger.Merge(ready, request.time, motion.get(), request.loop, progress);
 }
 
 // Whether a request's merge searches reflectivity for its motion.
@@ -133,6 +88,14 @@ void CheckMotion(const Velocity& motion)
 
 } // namespace
 
+MergeRequest MergeRequestOf(const MergeOptions& options, const RangeLoop& loop)
+{
+  MergeRequest request;
+  static_cast<MergeRules&>(request) = options;
+  request.loop = loop;
+  return request;
+}
+
 ReadyVolume MakeReady(const std::shared_ptr<const PolarVolume>& volume, const MergeRequest& request)
 {
   if (request.method == MergeMethod::Thesis)
@@ -173,52 +136,21 @@ std::shared_ptr<const MotionField> MergeRun::MotionFor(
            : nullptr;
 }
 
-std::optional<GriddedVolume> MergeVolumes(const std::vector<const PolarVolume*>& volumes,
-  const MergeRequest& request, const Progress& progress, MergeRun* run)
-{
-  std::vector<VolumeList> sites;
-  for (const VolumeList& own : GroupBySite(volumes))
-  {
-    VolumeList chosen = ChooseVolumes(own, request);
-    if (!chosen.empty())
-    {
-      sites.push_back(std::move(chosen));
-    }
-  }
-  if (request.method == MergeMethod::Thesis)
-  {
-    return MergeByThesis(sites, request, progress);
-  }
-  VolumeList chosen;
-  for (const VolumeList& own : sites)
-  {
-    chosen.insert(chosen.end(), own.begin(), own.end());
-  }
-  MergeRun once;
-  return MergeByBeam(chosen, request, progress, run != nullptr ? *run : once);
-}
-
 std::optional<GriddedVolume> MergeVolumes(const std::vector<ReadyVolume>& volumes,
   const MergeRequest& request, const Progress& progress, MergeRun& run, GriddedVolume memory)
 {
-  if (request.method == MergeMethod::Beam)
+  if (request.method == MergeMethod::Thesis)
   {
-    BeamVolumes ready;
-    for (const ReadyVolume& volume : volumes)
-    {
-      ready.push_back(volume.beam);
-    }
-    BeamMerger& merger = run.MergerFor(request);
-    const std::shared_ptr<const MotionField> motion = run.MotionFor(ready, request);
-    return merger.Merge(
-      ready, request.time, motion.get(), request.loop, progress, std::move(memory));
+    return MergeByThesis(volumes, request, progress);
   }
-  VolumeList polar;
+  BeamVolumes ready;
   for (const ReadyVolume& volume : volumes)
   {
-    polar.push_back(volume.polar.get());
+    ready.push_back(volume.beam);
   }
-  return MergeVolumes(polar, request, progress, &run);
+  BeamMerger& merger = run.MergerFor(request);
+  const std::shared_ptr<const MotionField> motion = run.MotionFor(ready, request);
+  return merger.Merge(ready, request.time, motion.get(), request.loop, progress, std::move(memory));
 }
 
 std::optional<GriddedVolume> MergeMoments(const std::vector<ReadyVolume>& volumes,

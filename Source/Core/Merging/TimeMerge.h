@@ -3,7 +3,7 @@
 
 #include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/Grid/VoxelBlock.h"
-#include "nexrad/Merging/MergeRules.h"
+#include "nexrad/Merging/MergeOptions.h"
 #include "nexrad/Motion/MotionTracker.h"
 #include "nexrad/Polar/PolarVolume.h"
 #include "nexrad/Series/Catalogue.h"
@@ -24,6 +24,9 @@ struct MergeRequest : MergeRules
   RangeLoop loop;                  ///< runs Beam's rows; empty: on this thread
   std::optional<VoxelBlock> block; ///< the part of the grid that is made, as it is in the whole
 };
+
+/// The merges that options ask for, but for grid and time. `loop` runs their rows.
+MergeRequest MergeRequestOf(const MergeOptions& options, const RangeLoop& loop);
 
 /// A moment of a volume in the form that a method takes; the other is empty.
 struct ReadyVolume
@@ -72,14 +75,10 @@ private:
   std::vector<SweeplessVolume> sweepless;
 };
 
-/// Merges volumes of any number of sites, in any order: for each site those about the time (for
-/// Thesis FindBracket, for Beam FindVolumesAbout). A site with none in reach takes no part; without
-/// any, no voxel is scanned. Empty when `progress` asked to stop. Throws Error as the method does.
-std::optional<GriddedVolume> MergeVolumes(const std::vector<const PolarVolume*>& volumes,
-  const MergeRequest& request, const Progress& progress = {}, MergeRun* run = nullptr);
-
-/// The same for volumes made ready for this request, or but for means, which have been chosen.
-/// `memory` is a volume that is no longer needed: its arrays become those of the result.
+/// Merges volumes of any number of sites that were chosen for the time and made ready for this
+/// request, or but for means. A site with none takes no part; without any, no voxel is scanned.
+/// `memory` is a volume that is no longer needed: its arrays become those of the result. Empty when
+/// `progress` asked to stop. Throws Error as the method does.
 std::optional<GriddedVolume> MergeVolumes(const std::vector<ReadyVolume>& volumes,
   const MergeRequest& request, const Progress& progress, MergeRun& run, GriddedVolume memory = {});
 

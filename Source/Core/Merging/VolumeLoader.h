@@ -3,7 +3,7 @@
 
 #include "nexrad/Merging/PolarCache.h"
 #include "nexrad/Merging/TimeMerge.h"
-#include "nexrad/Series/FileList.h"
+#include "nexrad/Series/InputFiles.h"
 #include "nexrad/Series/ScannedFile.h"
 #include "nexrad/System/ThreadGroup.h"
 

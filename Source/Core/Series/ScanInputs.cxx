@@ -108,17 +108,12 @@ std::optional<std::vector<ScannedFile>> ScanEach(const std::vector<std::filesyst
   return FileScan(paths, options, visitor).Run(progress);
 }
 
-std::optional<SeriesScan> ScanFiles(const InputFiles& found, const SeriesOptions& options,
-  const VolumeVisitor& visitor, const Progress& progress)
-{
-  const auto files = ScanEach(found.paths, options, visitor, progress);
-  return files ? std::optional(CollectSeries(found.problems, *files)) : std::nullopt;
-}
-
 std::optional<SeriesScan> ScanInputs(const std::vector<std::filesystem::path>& inputs,
   const SeriesOptions& options, const VolumeVisitor& visitor, const Progress& progress)
 {
-  return ScanFiles(FindInputFiles(inputs), options, visitor, progress);
+  const InputFiles found = FindInputFiles(inputs);
+  const auto files = ScanEach(found.paths, options, visitor, progress);
+  return files ? std::optional(CollectSeries(found.problems, *files)) : std::nullopt;
 }
 
 } // namespace nexrad

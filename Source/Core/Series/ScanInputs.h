@@ -20,12 +20,8 @@ std::optional<SeriesScan> ScanInputs(const std::vector<std::filesystem::path>& i
   const SeriesOptions& options = {}, const VolumeVisitor& visitor = {},
   const Progress& progress = {});
 
-/// The same for files that FindInputFiles found before, whatever has become of their folders since.
-/// A file that is gone is left out and named in `problems`.
-std::optional<SeriesScan> ScanFiles(const InputFiles& found, const SeriesOptions& options = {},
-  const VolumeVisitor& visitor = {}, const Progress& progress = {});
-
-/// The same for each of the files, in their order.
+/// Decodes each file and says what it holds, in their order. A file that is gone is left out and
+/// named in its problems.
 std::optional<std::vector<ScannedFile>> ScanEach(const std::vector<std::filesystem::path>& paths,
   const SeriesOptions& options = {}, const VolumeVisitor& visitor = {},
   const Progress& progress = {});
