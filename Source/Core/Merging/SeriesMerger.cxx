@@ -71,12 +71,6 @@ std::vector<ReadyVolume> OfRadar(const std::vector<ReadyVolume>& volumes, const 
   return own;
 }
 
-// What stands for a file of which nothing is known.
-bool IsUnknown(const ScannedFile& file)
-{
-  return file.volumes.empty() && file.problems.empty() && file.notes.empty();
-}
-
 SeriesOptions OneThreadAFile(SeriesOptions series)
 {
   series.level2.threads = 1;
@@ -174,28 +168,24 @@ SeriesMerger::~SeriesMerger() = default;
 bool SeriesMerger::Open(const Progress& progress)
 {
   this->FindFiles();
-  if (!setup.scanFirst)
-  {
-    bool opened = false;
-    setup.processes.Together([&] { opened = this->OpenByHeaders(); });
-    if (setup.processes.InAll(opened))
-    {
-      return true;
-    }
-  }
-  return this->Scan(progress);
+  return this->Begin(progress);
 }
 
 bool SeriesMerger::SetOptions(const MergeOptions& theOptions, const Progress& progress)
 {
   options = theOptions;
+  return this->Begin(progress);
+}
+
+bool SeriesMerger::Begin(const Progress& progress)
+{
   if (scan)
   {
     setup.processes.Together([&] { this->PlanByScan(); });
     return true;
   }
   bool opened = false;
-  setup.processes.Together([&] { opened = this->OpenByHeaders(); });
+  setup.processes.Together([&] { opened = !setup.scanFirst && this->OpenByHeaders(); });
   return setup.processes.InAll(opened) || this->Scan(progress);
 }
 
@@ -245,8 +235,7 @@ SeriesOptions SeriesMerger::ScanOptions() const
 
 SeriesFiles SeriesMerger::FilesByHeaders() const
 {
-  return {
-    found.paths, *headers, loader ? loader->Known() : std::vector<std::optional<ScannedFile>>()};
+  return {found.paths, *headers, loader ? loader->Known() : std::vector<ScannedFile>()};
 }
 
 SeriesFiles SeriesMerger::FilesByScan() const
@@ -258,12 +247,12 @@ SeriesFiles SeriesMerger::FilesByScan() const
     SiteFileList site{series.site.name, {}};
     for (const SeriesVolume& volume : series.volumes)
     {
-      if (!files.known[volume.input])
+      std::vector<std::pair<Site, SeriesVolume>>& known = files.known[volume.input].volumes;
+      if (known.empty())
       {
-        files.known[volume.input].emplace();
         site.files.push_back({volume.input, volume.start});
       }
-      files.known[volume.input]->volumes.emplace_back(series.site, volume);
+      known.emplace_back(series.site, volume);
     }
     files.sites.push_back(std::move(site));
   }
@@ -348,27 +337,24 @@ bool SeriesMerger::OpenByHeaders()
     return false;
   }
   this->Plan(*extent);
+  times = TimeStepsOf(options, extent->first, extent->last, extent->volumes);
   return true;
 }
 
 void SeriesMerger::Plan(const Extent& extent)
 {
+  sites.clear();
   positions.clear();
   for (const Site& site : extent.sites)
   {
-    positions.push_back(*site.position);
-  }
-  sites.clear();
-  for (const Site& site : extent.sites)
-  {
     sites.push_back(site.name);
+    positions.push_back(*site.position);
   }
   this->FindBiases();
   request.grid = GridOf(options, positions, extent.sites.size() == 1 ? extent.range : DefaultRange);
   this->RequireMemoryOfGrid();
   planned->Set(request);
   rays = {extent.first, extent.last};
-  times = TimeStepsOf(options, extent.first, extent.last, extent.volumes);
 }
 
 bool SeriesMerger::ScanFiles(const Progress& progress)
@@ -405,19 +391,17 @@ void SeriesMerger::PlanByScan()
     throw InputError("no input holds a volume that can be used" + ExplainNothing(*scan), false);
   }
   request = MergeRequestOf(options, setup.loop);
-  sites.clear();
+  planned = std::make_shared<SharedRequest>(request);
+  Extent extent;
   for (const SiteSeries& series : scan->sites)
   {
-    sites.push_back(series.site.name);
+    extent.sites.push_back(series.site);
   }
-  this->FindBiases();
-  positions = scan->Positions();
-  request.grid = GridOf(options, positions, scan->Range());
-  this->RequireMemoryOfGrid();
-  planned = std::make_shared<SharedRequest>(request);
-  planned->Set(request);
+  extent.first = *scan->First();
+  extent.last = *scan->Last();
+  extent.range = scan->Range();
+  this->Plan(extent);
   this->MakeLoader(this->FilesByScan());
-  rays = {*scan->First(), *scan->Last()};
   times = TimeStepsOf(options, *scan);
 }
 
@@ -467,7 +451,7 @@ std::optional<ReasonCounts> SeriesMerger::Echo() const
 
 std::vector<MomentName> SeriesMerger::Moments() const
 {
-  const SeriesScan known = scan ? *scan : this->Collect(loader->Known());
+  const SeriesScan known = scan ? *scan : CollectSeries(found.problems, loader->Known());
   std::set<MomentName> moments;
   for (const SiteSeries& series : known.sites)
   {
@@ -625,16 +609,6 @@ std::optional<std::size_t> SeriesMerger::Skip(Time time, const Progress& progres
   return volumes ? std::optional(volumes->size()) : std::nullopt;
 }
 
-std::vector<ScannedFile> SeriesMerger::KnownFiles() const
-{
-  std::vector<ScannedFile> files;
-  for (const std::optional<ScannedFile>& file : loader->Known())
-  {
-    files.push_back(file.value_or(ScannedFile()));
-  }
-  return files;
-}
-
 void SeriesMerger::LearnFiles(const std::vector<ScannedFile>& files)
 {
   if (files.size() != found.paths.size())
@@ -642,12 +616,7 @@ void SeriesMerger::LearnFiles(const std::vector<ScannedFile>& files)
     throw Error("these are descriptions of " + std::to_string(files.size()) + " files, not of " +
                 std::to_string(found.paths.size()));
   }
-  std::vector<std::optional<ScannedFile>> known;
-  for (const ScannedFile& file : files)
-  {
-    known.push_back(IsUnknown(file) ? std::nullopt : std::optional(file));
-  }
-  loader->Learn(known);
+  loader->Learn(files);
 }
 
 // Those of reflectivity about a time, without sweeps; empty when `progress` asked to stop.
@@ -739,16 +708,6 @@ std::optional<GriddedVolume> SeriesMerger::MergeBox(
   return volumes ? MergeMoments(*volumes, options.Moments(), asked, merging, boxRun) : std::nullopt;
 }
 
-SeriesScan SeriesMerger::Collect(const std::vector<std::optional<ScannedFile>>& known) const
-{
-  std::vector<ScannedFile> files;
-  for (const std::optional<ScannedFile>& file : known)
-  {
-    files.push_back(file.value_or(ScannedFile()));
-  }
-  return CollectSeries(found.problems, files);
-}
-
 // What is known of the inputs so far.
 SeriesScan SeriesMerger::KnownScan() const
 {
@@ -756,30 +715,28 @@ SeriesScan SeriesMerger::KnownScan() const
   {
     return *scan;
   }
-  return gathered ? *gathered : this->Collect(loader->Known());
+  return gathered ? *gathered : CollectSeries(found.problems, loader->Known());
 }
 
 // What all processes decoded.
 SeriesScan SeriesMerger::Gather() const
 {
-  std::vector<std::optional<ScannedFile>> known = loader->Known();
+  std::vector<ScannedFile> known = loader->Known();
   if (setup.processes.Count() > 1)
   {
-    for (const std::string& message :
-      setup.processes.Exchange(PackScannedFiles(this->KnownFiles())))
+    for (const std::string& message : setup.processes.Exchange(PackScannedFiles(known)))
     {
       std::vector<ScannedFile> part = UnpackScannedFiles(message);
       for (std::size_t i = 0; i < part.size(); ++i)
       {
-        const bool told = known[i] && !TellsEcho(*known[i]) && TellsEcho(part[i]);
-        if (told || (!known[i] && !IsUnknown(part[i])))
+        if (IsUnknown(known[i]) || (!TellsEcho(known[i]) && TellsEcho(part[i])))
         {
           known[i] = std::move(part[i]);
         }
       }
     }
   }
-  return this->Collect(known);
+  return CollectSeries(found.problems, known);
 }
 
 bool SeriesMerger::Confirm()

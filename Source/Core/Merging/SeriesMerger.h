@@ -126,7 +126,7 @@ public:
   std::optional<std::size_t> Skip(Time time, const Progress& progress = {});
 
   /// What the files hold, in their order, as far as it is known; empty ones where it is not.
-  std::vector<ScannedFile> KnownFiles() const;
+  std::vector<ScannedFile> KnownFiles() const { return loader->Known(); }
   /// Tells what KnownFiles said of the same inputs and options before. Throws Error when the files
   /// are not as many.
   void LearnFiles(const std::vector<ScannedFile>& files);
@@ -153,6 +153,7 @@ private:
   struct Extent;
   class SharedRequest;
 
+  bool Begin(const Progress& progress);
   void FindFiles();
   void RequireMemoryOfGrid() const;
   bool OpenByHeaders();
@@ -166,7 +167,6 @@ private:
   void MakeLoader(SeriesFiles files);
   SeriesFiles FilesByHeaders() const;
   SeriesFiles FilesByScan() const;
-  SeriesScan Collect(const std::vector<std::optional<ScannedFile>>& known) const;
   SeriesScan KnownScan() const;
   SeriesScan Gather() const;
   std::vector<ChosenVolume> ChosenAt(Time time) const;

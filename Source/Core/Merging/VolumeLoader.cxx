@@ -284,15 +284,15 @@ void VolumeLoader::EndAt(Time time)
   lastTime = time;
 }
 
-void VolumeLoader::Learn(const std::vector<std::optional<ScannedFile>>& known)
+void VolumeLoader::Learn(const std::vector<ScannedFile>& known)
 {
   const std::lock_guard<std::mutex> lock(mutex);
   for (std::size_t index = 0; index < known.size(); ++index)
   {
-    if (known[index] && !files[index].known)
+    if (!IsUnknown(known[index]) && !files[index].known)
     {
       files[index].known = true;
-      files[index].scanned = *known[index];
+      files[index].scanned = known[index];
       this->LearnFile(index, files[index].scanned);
     }
   }
@@ -532,13 +532,13 @@ void VolumeLoader::Release(Time time, const std::vector<ChosenVolume>& needed)
   }
 }
 
-std::vector<std::optional<ScannedFile>> VolumeLoader::Known() const
+std::vector<ScannedFile> VolumeLoader::Known() const
 {
   const std::lock_guard<std::mutex> lock(mutex);
-  std::vector<std::optional<ScannedFile>> known;
+  std::vector<ScannedFile> known;
   for (const File& file : files)
   {
-    known.push_back(file.known ? std::optional(file.scanned) : std::nullopt);
+    known.push_back(file.known ? file.scanned : ScannedFile());
   }
   return known;
 }

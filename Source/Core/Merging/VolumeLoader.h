@@ -42,8 +42,8 @@ struct SeriesFiles
 {
   std::vector<std::filesystem::path> paths;
   std::vector<SiteFileList> sites; ///< by name
-  std::vector<std::optional<ScannedFile>>
-    known; ///< what each path holds, where that is known; may be empty
+  std::vector<ScannedFile> known;  ///< what each path holds; IsUnknown where nobody knows; may be
+                                   ///< empty
 };
 
 /// The volumes about any time, made ready for a merge. Files are decoded on threads of their own:
@@ -94,11 +94,11 @@ public:
   /// they are. Empty as long as it is not known what the files about the time hold.
   std::optional<std::size_t> CountAbout(Time time);
 
-  /// What each path holds, as far as it is known.
-  std::vector<std::optional<ScannedFile>> Known() const;
+  /// What each path holds, as far as it is known; else IsUnknown.
+  std::vector<ScannedFile> Known() const;
 
   /// Tells what files hold, in the order of the paths; what is known of a file already stays.
-  void Learn(const std::vector<std::optional<ScannedFile>>& known);
+  void Learn(const std::vector<ScannedFile>& known);
 
   /// How many times a file was decoded.
   std::size_t DecodedFiles() const { return decodedFiles; }

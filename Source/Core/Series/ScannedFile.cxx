@@ -322,6 +322,11 @@ std::vector<MomentName> SeriesOptions::Moments() const
   return moments;
 }
 
+bool IsUnknown(const ScannedFile& file)
+{
+  return file.volumes.empty() && file.problems.empty() && file.notes.empty();
+}
+
 bool TellsEcho(const ScannedFile& file)
 {
   return std::any_of(file.volumes.begin(), file.volumes.end(),

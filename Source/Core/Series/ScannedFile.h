@@ -49,6 +49,9 @@ struct ScannedFile
                                   ///< wrong with it, a line each, with the file
 };
 
+/// True of one that says nothing: what stands for a file of which nothing is known.
+bool IsUnknown(const ScannedFile& file);
+
 /// Whether quality control said of some volume of a file what it found.
 bool TellsEcho(const ScannedFile& file);
 

@@ -182,7 +182,7 @@ TEST_F(VolumeLoading, ScansAFileOnRequestAndKeepsItForItsTime)
     EXPECT_EQ(Names(*loader->About(start + after)), this->Expected(start + after));
   }
   EXPECT_EQ(decoded, paths.size());
-  EXPECT_EQ(loader->Known()[35]->volumes.size(), 1U);
+  EXPECT_EQ(loader->Known()[35].volumes.size(), 1U);
 }
 
 TEST_F(VolumeLoading, TimesMayComeInAnyOrder)
@@ -261,8 +261,8 @@ TEST_F(VolumeLoading, SitesThatAreNotWantedAreNotDecoded)
   }
   const auto known = loader->Known();
   EXPECT_TRUE(std::none_of(
-    known.begin() + 36, known.end(), [](const auto& file) { return file.has_value(); }));
-  EXPECT_TRUE(known[11]);
+    known.begin() + 36, known.end(), [](const auto& file) { return !IsUnknown(file); }));
+  EXPECT_FALSE(IsUnknown(known[11]));
 }
 
 TEST_F(VolumeLoading, NoticesAHeaderThatHidesAVolume)
@@ -314,9 +314,8 @@ TEST_F(VolumeLoading, ADamagedFileIsAGapAndNamed)
   const auto loader = this->Open();
   EXPECT_EQ(Names(*loader->About(start + 11min)), this->Expected(start + 11min));
   const auto known = loader->Known();
-  ASSERT_TRUE(known[2]);
-  ASSERT_FALSE(known[2]->problems.empty());
-  EXPECT_TRUE(known[2]->problems.back().leftOut);
+  ASSERT_FALSE(known[2].problems.empty());
+  EXPECT_TRUE(known[2].problems.back().leftOut);
 }
 
 TEST_F(VolumeLoading, HandsOnWhatPreparingThrows)
