@@ -520,7 +520,7 @@ void SeriesMerger::AddSweepless(
   {
     if (!reaching[site])
     {
-      volumes.push_back(run.WithoutSweeps(scan->sites[site].site, *volume, request, moment));
+      volumes.push_back(sweepless.Make(scan->sites[site].site, *volume, request, moment));
     }
   }
 }
@@ -543,7 +543,7 @@ std::optional<std::vector<ReadyVolume>> SeriesMerger::VolumesAbout(
   }
   if (volumes && setup.anyOrder)
   {
-    history.Remember(*volumes);
+    sweepless.Remember(*volumes);
   }
   return volumes;
 }
@@ -622,21 +622,23 @@ void SeriesMerger::LearnFiles(const std::vector<ScannedFile>& files)
 // Those of reflectivity about a time, without sweeps; empty when `progress` asked to stop.
 std::optional<BeamVolumes> SeriesMerger::EchoAbout(Time time, const Progress& progress)
 {
-  if (const auto known = loader->KnownAbout(time, MomentName::REF))
+  const auto find = [&]() -> std::optional<BeamVolumes>
   {
-    BeamVolumes kept = history.Find(*known);
-    if (kept.size() == known->size())
-    {
-      return kept;
-    }
+    const auto known = loader->KnownAbout(time, MomentName::REF);
+    BeamVolumes kept = known ? sweepless.Find(*known) : BeamVolumes();
+    return known && kept.size() == known->size() ? std::optional(std::move(kept)) : std::nullopt;
+  };
+  if (auto kept = find())
+  {
+    return kept;
   }
   const std::optional<std::vector<ReadyVolume>> volumes = this->VolumesAbout(time, {}, progress);
   if (!volumes)
   {
     return std::nullopt;
   }
-  history.Remember(*volumes);
-  return history.Find(*volumes);
+  sweepless.Remember(*volumes);
+  return find().value_or(BeamVolumes());
 }
 
 // What merges reflectivity of the same files; nullptr when `progress` asked to stop.

@@ -4,10 +4,10 @@
 #include "nexrad/Calibration/RadarComparison.h"
 #include "nexrad/Grid/FinerBox.h"
 #include "nexrad/Merging/BoxFollower.h"
-#include "nexrad/Merging/EchoHistory.h"
 #include "nexrad/Merging/MemoryNeed.h"
 #include "nexrad/Merging/MergeOptions.h"
 #include "nexrad/Merging/PolarCache.h"
+#include "nexrad/Merging/SweeplessVolumes.h"
 #include "nexrad/Merging/VolumeLoader.h"
 #include "nexrad/Series/SharedScan.h"
 #include "nexrad/System/Processes.h"
@@ -195,7 +195,7 @@ private:
   std::size_t decodedBefore = 0; ///< by loaders before this one
   MergeRun run;
   MergeRun boxRun; ///< of MergeBox
-  EchoHistory history;
+  SweeplessVolumes sweepless;
   std::shared_ptr<BoxFollower> follower;    ///< of the boxes, until the volumes or the grid change
   std::unique_ptr<SeriesMerger> echoMerger; ///< of reflectivity, where it is not merged here
   std::vector<Time> times;

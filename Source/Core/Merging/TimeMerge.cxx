@@ -47,13 +47,6 @@ std::optional<GriddedVolume> MergeByThesis(
   return merged;
 }
 
-// Whether a request's merge searches reflectivity for its motion.
-bool LooksForMotion(const MergeRequest& request, MomentName moment)
-{
-  return request.method == MergeMethod::Beam && moment == MomentName::REF &&
-         request.interpolation == TimeInterpolationMethod::AlongMotion && !request.motion;
-}
-
 // Whether a merger with one of them serves for the other.
 bool AreSame(const BeamMergeOptions& a, const BeamMergeOptions& b)
 {
@@ -94,6 +87,12 @@ MergeRequest MergeRequestOf(const MergeOptions& options, const RangeLoop& loop)
   static_cast<MergeRules&>(request) = options;
   request.loop = loop;
   return request;
+}
+
+bool LooksForMotion(const MergeRequest& request, MomentName moment)
+{
+  return request.method == MergeMethod::Beam && moment == MomentName::REF &&
+         request.interpolation == TimeInterpolationMethod::AlongMotion && !request.motion;
 }
 
 ReadyVolume MakeReady(const std::shared_ptr<const PolarVolume>& volume, const MergeRequest& request)
@@ -172,43 +171,6 @@ std::optional<GriddedVolume> MergeMoments(const std::vector<ReadyVolume>& volume
     merged.push_back(std::move(*one));
   }
   return JoinMoments(std::move(merged));
-}
-
-ReadyVolume MergeRun::WithoutSweeps(
-  const Site& site, const SeriesVolume& volume, const MergeRequest& request, MomentName moment)
-{
-  if (request.method == MergeMethod::Thesis)
-  {
-    return {std::make_shared<const PolarVolume>(
-              PolarVolume{site, moment, volume.start, volume.end, volume.synthetic, {}, {}}),
-      nullptr};
-  }
-  const bool pictured = LooksForMotion(request, moment);
-  sweepless.erase(std::remove_if(sweepless.begin(), sweepless.end(),
-                    [](const SweeplessVolume& each) { return each.volume.expired(); }),
-    sweepless.end());
-  for (const SweeplessVolume& each : sweepless)
-  {
-    const std::shared_ptr<const BeamVolume> made = each.volume.lock();
-    if (each.summary == volume.summary && each.pictured == pictured && made->moment == moment)
-    {
-      return {nullptr, made};
-    }
-  }
-  BeamVolume without;
-  without.site = site;
-  without.moment = moment;
-  without.start = volume.start;
-  without.end = volume.end;
-  without.synthetic = volume.synthetic;
-  if (pictured)
-  {
-    without.composite = CompositeOf(volume.summary->composite);
-    without.lowest = CompositeOf(volume.summary->lowest);
-  }
-  auto made = std::make_shared<const BeamVolume>(std::move(without));
-  sweepless.push_back({volume.summary, pictured, made});
-  return {nullptr, made};
 }
 
 } // namespace nexrad

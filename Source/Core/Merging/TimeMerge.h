@@ -38,6 +38,9 @@ struct ReadyVolume
   const std::string& RadarName() const { return beam ? beam->site.name : polar->site.name; }
 };
 
+/// Whether a request's merge searches reflectivity for its motion.
+bool LooksForMotion(const MergeRequest& request, MomentName moment);
+
 /// Makes a volume ready for a request, whatever its time. As long as the grid is not known, a
 /// request without means does: the merge makes what is missing.
 ReadyVolume MakeReady(
@@ -52,27 +55,14 @@ public:
   /// The merger for the request's grid and options: the one before, when they are the same.
   BeamMerger& MergerFor(const MergeRequest& request);
 
-  /// A volume without sweeps, for a radar that does not reach the request's block. It takes part in
-  /// the motion estimate by the volume's summary; in Thesis it only names the radar.
-  ReadyVolume WithoutSweeps(
-    const Site& site, const SeriesVolume& volume, const MergeRequest& request, MomentName moment);
-
   /// The motion along which the request asks to interpolate between volumes that MergerFor's merger
   /// made ready; nullptr for none.
   std::shared_ptr<const MotionField> MotionFor(
     const BeamVolumes& volumes, const MergeRequest& request);
 
 private:
-  struct SweeplessVolume
-  {
-    std::shared_ptr<const VolumeSummary> summary;
-    bool pictured;                          // has the summary's picture
-    std::weak_ptr<const BeamVolume> volume; // as long as a merge or the tracker holds it
-  };
-
   std::unique_ptr<BeamMerger> merger;
   std::unique_ptr<MotionTracker> tracker; // for the merger's grid
-  std::vector<SweeplessVolume> sweepless;
 };
 
 /// Merges volumes of any number of sites that were chosen for the time and made ready for this

@@ -476,7 +476,7 @@ bool VolumeLoader::KnowsWithoutLoading(Time time)
   return known;
 }
 
-std::optional<std::vector<std::pair<std::string, SeriesVolume>>> VolumeLoader::KnownAbout(
+std::optional<std::vector<std::pair<std::string, Time>>> VolumeLoader::KnownAbout(
   Time time, MomentName moment)
 {
   const std::lock_guard<std::mutex> lock(mutex);
@@ -484,10 +484,10 @@ std::optional<std::vector<std::pair<std::string, SeriesVolume>>> VolumeLoader::K
   {
     return std::nullopt;
   }
-  std::vector<std::pair<std::string, SeriesVolume>> volumes;
+  std::vector<std::pair<std::string, Time>> volumes;
   for (const ChosenVolume& each : catalogue.ChosenAt(time, work.rule, {moment}))
   {
-    volumes.emplace_back(sites[each.site].name, *each.volume);
+    volumes.emplace_back(catalogue.sites[each.site].site.name, each.volume->start);
   }
   return volumes;
 }

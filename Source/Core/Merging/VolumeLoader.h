@@ -85,10 +85,9 @@ public:
   std::optional<std::vector<ReadyVolume>> About(
     Time time, const std::vector<bool>& wanted = {}, const Progress& progress = {});
 
-  /// The volumes with a moment that About gives at a time, by description; nothing is loaded.
+  /// Radars and starts of the volumes with a moment that About gives at a time; nothing is loaded.
   /// Empty as long as it is not known what the files about the time hold, which About finds out.
-  std::optional<std::vector<std::pair<std::string, SeriesVolume>>> KnownAbout(
-    Time time, MomentName moment);
+  std::optional<std::vector<std::pair<std::string, Time>>> KnownAbout(Time time, MomentName moment);
 
   /// Decides what a time needs, as About does, without loading the volumes, and returns how many
   /// they are. Empty as long as it is not known what the files about the time hold.
