@@ -367,7 +367,9 @@ bool SeriesMerger::ScanFiles(const Progress& progress)
   series.threads = setup.threads;
   series.summaries = setup.scanFirst;
   const auto keep = [this](const SeriesVolume& key, const RadarVolume&,
-                      const PolarCache::Volume& volume) { cache->Offer(key, volume); };
+                      const std::shared_ptr<const PolarVolume>& volume) {
+    cache->Offer({volume->moment, key.cycle, key.file}, volume, MemoryOf(*volume));
+  };
   const auto files =
     ScanTogether(found.paths, setup.processes, setup.order, series, keep, progress);
   scan = files ? std::optional(CollectSeries(found.problems, *files)) : std::nullopt;

@@ -6,7 +6,6 @@
 #include "nexrad/Merging/BoxFollower.h"
 #include "nexrad/Merging/MemoryNeed.h"
 #include "nexrad/Merging/MergeOptions.h"
-#include "nexrad/Merging/PolarCache.h"
 #include "nexrad/Merging/SweeplessVolumes.h"
 #include "nexrad/Merging/VolumeLoader.h"
 #include "nexrad/Series/SharedScan.h"

@@ -149,11 +149,12 @@ std::vector<VolumeLoader::HeldVolume> VolumeLoader::FindKept(const ScannedFile& 
     held.push_back({volume, {}});
     for (const MomentName moment : moments)
     {
-      const PolarCache::Volume kept =
-        cache && volume.Has(moment) ? cache->Find(volume, moment) : nullptr;
+      const auto kept = cache && volume.Has(moment)
+                          ? cache->Find({moment, volume.cycle, volume.file})
+                          : std::nullopt;
       if (kept)
       {
-        held.back().ready.push_back(work.prepare(kept));
+        held.back().ready.push_back(work.prepare(*kept));
       }
       else if (volume.Has(moment))
       {
@@ -177,7 +178,7 @@ std::vector<VolumeLoader::HeldVolume> VolumeLoader::Load(std::size_t index, Scan
   {
     if (cache)
     {
-      cache->Keep(description, polar);
+      cache->Keep({polar->moment, description.cycle, description.file}, polar, MemoryOf(*polar));
     }
     if (held.empty() || held.back().volume.cycle != description.cycle)
     {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Merging/PolarCache.h"
+#include "nexrad/Merging/KeptValues.h"
 #include "nexrad/Merging/TimeMerge.h"
 #include "nexrad/Series/InputFiles.h"
 #include "nexrad/Series/ScannedFile.h"
@@ -19,6 +19,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,10 @@ namespace nexrad
 /// So many files a thread are decoded ahead of what was asked for: enough that no thread waits
 /// while a volume is merged, few enough to need little memory.
 constexpr std::size_t FilesAhead = 3;
+
+/// Moments of volumes that were decoded, by moment, cycle and file.
+using PolarCache = KeptValues<std::tuple<MomentName, std::size_t, std::filesystem::path>,
+  std::shared_ptr<const PolarVolume>>;
 
 /// What a VolumeLoader does with the volumes.
 struct LoaderWork
