@@ -6,7 +6,7 @@
 #include "nexrad/Merging/SeriesMerger.h"
 #include "nexrad/Merging/VolumeCache.h"
 #include "nexrad/Model/Time.h"
-#include "nexrad/Series/InputError.h"
+#include "nexrad/Series/InputFiles.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradPipeline.h"

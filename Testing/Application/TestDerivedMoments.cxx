@@ -125,7 +125,7 @@ TEST(DealiasedGrid, CanBeLeftOut)
   MergeRequest request;
   request.grid = folded.grid;
   request.time = folded.time;
-  const std::optional<GriddedVolume> expected = MergeVolumes({&words}, request);
+  const std::optional<GriddedVolume> expected = nexrad::testing::MergeDirectly({&words}, request);
   EXPECT_TRUE(folded.values == expected->values);
   EXPECT_TRUE(folded.states == expected->states);
   EXPECT_LT(RangeOf(folded).most, 33.0); // the largest Nyquist velocity

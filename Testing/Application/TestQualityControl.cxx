@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Quality control through the program: grid --quality, and what grid and info say of it.
+#include "DirectMerge.h"
 #include "ProgramRun.h"
 #include "TestData.h"
 #include "Tolerance.h"
@@ -67,7 +68,7 @@ TEST(QualityControl, OffIsAMergeWithoutIt)
   MergeRequest request;
   request.grid = off.grid;
   request.time = off.time;
-  const auto expected = MergeVolumes({&words}, request);
+  const auto expected = nexrad::testing::MergeDirectly({&words}, request);
   EXPECT_TRUE(off.values == expected->values);
   EXPECT_TRUE(off.states == expected->states);
 }

@@ -68,9 +68,9 @@ void Merge(const RadarVolume& volume, const MergeOptions& options)
         RequireMessage(problem.what);
       }
     }
-    if (series.HasGrid() && series.Newest())
+    if (series.HasGrid() && series.Known().Last())
     {
-      const auto merged = series.Merge(*series.Newest());
+      const auto merged = series.Merge(*series.Known().Last());
       Require(merged.has_value(), "a merge that nobody stops is made");
       LookAt(*merged);
     }

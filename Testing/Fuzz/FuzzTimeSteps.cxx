@@ -26,7 +26,7 @@ void GoOn(StepBook& book)
   {
     if (book.IsDue(step, "now", true))
     {
-      book.Make(step, "now", true);
+      book.Make(step, "now");
     }
     Require(!book.IsDue(step, "now", true), "a step that was made is not due");
   }
@@ -51,8 +51,8 @@ std::vector<Bytes> FuzzSeeds()
   StepBook book(rules);
   const std::string empty = book.Pack();
   book.Extend(start, start + 40min);
-  book.Make(start, "KAAA 1", true);
-  book.Make(start + 5min, "KAAA 2", false);
+  book.Make(start, "KAAA 1");
+  book.Make(start + 5min, "KAAA 2");
   const std::string open = book.Pack();
   book.Close();
   return {BytesOf(empty), BytesOf(open), BytesOf(book.Pack())};

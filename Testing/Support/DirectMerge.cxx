@@ -32,7 +32,31 @@ GriddedVolume DirectMerge::At(Time time) const
   {
     pointers.push_back(volume.get());
   }
-  return *MergeVolumes(pointers, request);
+  return *MergeDirectly(pointers, request);
+}
+
+std::optional<GriddedVolume> MergeDirectly(const std::vector<const PolarVolume*>& volumes,
+  const MergeRequest& request, const Progress& progress, MergeRun* run)
+{
+  Catalogue catalogue;
+  for (const PolarVolume* const& volume : volumes)
+  {
+    SeriesVolume description;
+    description.input = static_cast<std::size_t>(&volume - volumes.data());
+    description.start = volume->start;
+    description.end = volume->end;
+    catalogue.Of(volume->site).Put(description);
+  }
+  std::vector<ReadyVolume> ready;
+  for (const ChosenVolume& each :
+    catalogue.ChosenAt(request.time, VolumeRuleOf(request), {MomentName::REF}))
+  {
+    const std::shared_ptr<const PolarVolume> notOwned(
+      std::shared_ptr<void>(), volumes[each.volume->input]);
+    ready.push_back(MakeReady(notOwned, request));
+  }
+  MergeRun once;
+  return MergeVolumes(ready, request, progress, run != nullptr ? *run : once);
 }
 
 } // namespace nexrad::testing

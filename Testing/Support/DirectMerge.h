@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Merging/MergeOptions.h"
+#include "nexrad/Merging/TimeMerge.h"
 
 #include <filesystem>
 #include <memory>
@@ -26,5 +26,9 @@ private:
   std::vector<std::shared_ptr<const PolarVolume>> volumes;
   SeriesScan scan;
 };
+
+/// Merges volumes of any number of sites, in any order: of each site those about the time.
+std::optional<GriddedVolume> MergeDirectly(const std::vector<const PolarVolume*>& volumes,
+  const MergeRequest& request, const Progress& progress = {}, MergeRun* run = nullptr);
 
 } // namespace nexrad::testing

@@ -5,7 +5,6 @@
 #include "Live/LiveStatus.h"
 #include "Live/PictureProcess.h"
 #include "Output/ProgressBar.h"
-#include "Volumes/OtherVolumes.h"
 #include "nexrad/Grid/GridText.h"
 #include "nexrad/Live/AwaitedEnds.h"
 #include "nexrad/Live/LiveSeries.h"
@@ -109,7 +108,7 @@ private:
   void FollowGrid(const std::optional<GridSpecification>& before);
   bool MakeNewest();
   bool MakeSteps(bool all);
-  bool MakeStep(Time step, const std::string& inputs, bool settled);
+  bool MakeStep(Time step, const std::string& inputs);
   void Forget();
   void Draw();
   std::set<std::string> SilentRadars() const;
@@ -268,7 +267,7 @@ void WatchRun::Use(std::vector<IntakeChange> changes)
   {
     newestRays[radar] = time;
   }
-  for (const TimeSpan& span : series.Spans())
+  for (const TimeSpan& span : series.Known().Spans())
   {
     book.Extend(span.first, span.last);
   }
@@ -289,7 +288,7 @@ void WatchRun::TellEnds()
 // made before the series leaps over the pause.
 void WatchRun::EndBeforePause(const std::vector<LiveInput>& inputs)
 {
-  const std::optional<Time> newest = series.Newest();
+  const std::optional<Time> newest = series.Known().Last();
   const bool leaps = std::any_of(inputs.begin(), inputs.end(),
     [&newest](const LiveInput& input)
     {
@@ -363,7 +362,7 @@ void WatchRun::FollowGrid(const std::optional<GridSpecification>& before)
 // The merged volume at the time of the newest ray. False when there is nothing new.
 bool WatchRun::MakeNewest()
 {
-  const std::optional<Time> newest = series.Newest();
+  const std::optional<Time> newest = series.Known().Last();
   if (!newest)
   {
     return false;
@@ -393,7 +392,7 @@ bool WatchRun::MakeNewest()
   return true;
 }
 
-bool WatchRun::MakeStep(Time step, const std::string& inputs, bool settled)
+bool WatchRun::MakeStep(Time step, const std::string& inputs)
 {
   std::optional<GriddedVolume> volume = series.Merge(step, this->Going(), std::move(memory));
   if (!volume)
@@ -402,7 +401,7 @@ bool WatchRun::MakeStep(Time step, const std::string& inputs, bool settled)
   }
   folder.WriteStep(*volume);
   memory = std::move(*volume);
-  book.Make(step, inputs, settled);
+  book.Make(step, inputs);
   ++report.steps;
   return true;
 }
@@ -411,7 +410,7 @@ bool WatchRun::MakeStep(Time step, const std::string& inputs, bool settled)
 // as if nothing more came. False when none was due.
 bool WatchRun::MakeSteps(bool all)
 {
-  if (!series.Newest())
+  if (!series.Known().Last())
   {
     return false;
   }
@@ -421,7 +420,8 @@ bool WatchRun::MakeSteps(bool all)
   // A file that will be taken as soon as it is known to be whole still counts for the steps before
   // its volume, with which it is merged.
   const std::optional<Time> waiting = intake.OldestWaiting();
-  const bool mayClose = !waiting || *waiting - job.options.maximumGap > *series.Newest() - job.late;
+  const bool mayClose =
+    !waiting || *waiting - job.options.maximumGap > *series.Known().Last() - job.late;
   for (const Time step : book.Open())
   {
     const bool isClosing = mayClose && book.IsClosing(step);
@@ -433,7 +433,7 @@ bool WatchRun::MakeSteps(bool all)
     {
       continue;
     }
-    if (!this->MakeStep(step, inputs, settled))
+    if (!this->MakeStep(step, inputs))
     {
       return made;
     }
@@ -453,17 +453,17 @@ bool WatchRun::MakeSteps(bool all)
 
 void WatchRun::Forget()
 {
-  if (!book.ClosedUntil() || !series.Newest())
+  if (!book.ClosedUntil() || !series.Known().Last())
   {
     return;
   }
   const std::vector<Time> open = book.Open();
-  const Time from = open.empty() ? *series.Newest() : open.front();
+  const Time from = open.empty() ? *series.Known().Last() : open.front();
   series.Forget(from);
   intake.SetOldest(from - job.options.maximumGap - longestVolume);
   if (job.keep)
   {
-    const Time oldest = *series.Newest() - *job.keep;
+    const Time oldest = *series.Known().Last() - *job.keep;
     for (const Time step : book.Made())
     {
       if (step < oldest)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Output/BiasOutput.h"
 
-#include "nexrad/Merging/MergeRules.h"
+#include "nexrad/Merging/MergeOptions.h"
 #include "nexrad/Moments/MomentMaker.h"
 
 #include <nlohmann/json.hpp>

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Volumes/StepWriter.h"
 
-#include "nexrad/Merging/MemoryNeed.h"
+#include "nexrad/Grid/GridText.h"
+#include "nexrad/System/Error.h"
 #include "vtkNexradNetCDFOutput.h"
+
+#include <optional>
+#include <system_error>
 
 namespace fs = std::filesystem;
 
@@ -23,6 +27,37 @@ void WriteVolume(const fs::path& path, const GriddedVolume& volume, const Volume
   }
 }
 
+std::optional<GridSpecification> GridIn(const fs::path& file)
+{
+  try
+  {
+    return ReadNxvHeader(file).grid;
+  }
+  catch (const Error&)
+  {
+    return std::nullopt;
+  }
+}
+
+// Names of the volume files in a folder.
+std::set<std::string> VolumesIn(const fs::path& folder)
+{
+  std::set<std::string> names;
+  std::error_code failure;
+  for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
+       entry.increment(failure))
+  {
+    const fs::path name = entry->path().filename();
+    std::error_code ignored;
+    if (name.extension() == ".nxv" && name.string().front() != '.' &&
+        entry->is_regular_file(ignored))
+    {
+      names.insert(name.string());
+    }
+  }
+  return names;
+}
+
 } // namespace
 
 const char* ExtensionOf(VolumeFormat format)
@@ -33,6 +68,21 @@ const char* ExtensionOf(VolumeFormat format)
 fs::path VolumeFileName(Time time, VolumeFormat format, const std::string& radar)
 {
   return (radar.empty() ? "" : radar + "_") + FormatForFileName(time) + ExtensionOf(format);
+}
+
+void RequireSameGrid(
+  const fs::path& folder, const std::set<std::string>& own, const GridSpecification& grid)
+{
+  for (const std::string& name : VolumesIn(folder))
+  {
+    const auto other = own.count(name) == 0 ? GridIn(folder / name) : std::nullopt;
+    if (other && *other != grid)
+    {
+      throw Error(folder.string() + ": holds " + name + " with " + GridText(*other) +
+                  ", and this run would add " + GridText(grid) +
+                  "; remove the older volumes, or name another folder (-o)");
+    }
+  }
 }
 
 VolumeUse UseOfWriting(const VolumeFiles& files, const MergeOptions& options)

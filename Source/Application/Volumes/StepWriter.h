@@ -4,10 +4,12 @@
 #include "Volumes/UnfinishedRun.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/Merging/MemoryNeed.h"
 #include "nexrad/Merging/MergeOptions.h"
 
 #include <filesystem>
 #include <future>
+#include <set>
 #include <string>
 
 namespace nexrad::application
@@ -35,6 +37,12 @@ const char* ExtensionOf(VolumeFormat format);
 std::filesystem::path VolumeFileName(
   Time time, VolumeFormat format = VolumeFormat::Nxv, const std::string& radar = {});
 
+/// Throws Error when a folder has `.nxv` files, beside those that a run is going to write or
+/// replace (`own`, by name), whose grid is not that of the run: together they would look like one
+/// series. Files that cannot be read are passed over; so is a folder that does not exist.
+void RequireSameGrid(const std::filesystem::path& folder, const std::set<std::string>& own,
+  const GridSpecification& grid);
+
 /// What becomes of the merged volumes that StepWriter writes: the one before, and what is made of
 /// it for its file.
 VolumeUse UseOfWriting(const VolumeFiles& files, const MergeOptions& options);
@@ -48,8 +56,8 @@ public:
   StepWriter(const StepWriter&) = delete;
   StepWriter& operator=(const StepWriter&) = delete;
 
-  /// Begins to write a volume when the one before is there. Returns the volume before, whose arrays
-  /// are free again. Throws Error when that could not be written.
+  /// Begins to write a volume when the one before is there. Returns the volume before, whose
+  /// arrays are free again. Throws Error when that could not be written.
   GriddedVolume Write(GriddedVolume volume);
 
   /// Waits for the last one. Throws Error when it could not be written.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Volumes/WriteVolumes.h"
 
-#include "Volumes/OtherVolumes.h"
 #include "nexrad/Archives/StoredFiles.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Merging/SeriesMerger.h"
@@ -26,79 +25,13 @@ namespace nexrad::application
 namespace
 {
 
-// Names of the files that a run makes in its folder: for each time one of all radars, or one of
-// each radar; and what has all times, which is an index or one file. Where it is one file, those of
-// the times are `.nxv` files of which it is made.
-class RunFiles
+// The files of all radars, or of one.
+struct FileSeries
 {
-public:
-  // `radars`: names of those that get files of their own; empty: one for all of them. `oneFile`:
-  // all times in one file.
-  RunFiles(VolumeFormat format, const std::vector<std::string>& radars, bool oneFile);
-
-  // "20060312T180500Z.nxv", or "KEAX_20060312T180500Z.nxv" of each radar.
-  std::vector<std::string> At(Time time) const;
-
-  // The files of one radar, or of all.
-  struct Series
-  {
-    // "volumes.nxv.series", "KEAX.nxv.series"; of one file "volumes.nc", "KEAX.nc".
-    std::string name;
-    std::vector<std::string> files; // one for each time
-  };
-  std::vector<Series> SeriesOf(const std::vector<Time>& times) const;
-
-private:
-  VolumeFormat format;
-  VolumeFormat ofTimes;
-  std::vector<std::string> radars; // "" for all of them
-  bool oneFile;
-};
-
-RunFiles::RunFiles(
-  VolumeFormat theFormat, const std::vector<std::string>& theRadars, bool isOneFile)
-  : format(theFormat)
-  , ofTimes(isOneFile ? VolumeFormat::Nxv : theFormat)
-  , radars(theRadars)
-  , oneFile(isOneFile)
-{
-  if (radars.empty())
-  {
-    radars.emplace_back();
-  }
-}
-
-std::vector<std::string> RunFiles::At(Time time) const
-{
-  std::vector<std::string> names;
-  for (const std::string& radar : radars)
-  {
-    names.push_back(VolumeFileName(time, ofTimes, radar).string());
-  }
-  return names;
-}
-
-std::vector<RunFiles::Series> RunFiles::SeriesOf(const std::vector<Time>& times) const
-{
-  std::vector<Series> all;
-  for (const std::string& radar : radars)
-  {
-    Series series{(radar.empty() ? "volumes" : radar) + ExtensionOf(format), {}};
-    series.name += oneFile ? "" : ".series";
-    for (const Time time : times)
-    {
-      series.files.push_back(VolumeFileName(time, ofTimes, radar).string());
-    }
-    all.push_back(std::move(series));
-  }
-  return all;
-}
-
-// What one process makes, or all of them together.
-struct Block
-{
-  std::uintmax_t bytes = 0;
-  bool anySite = false; ///< some radar took part in a volume
+  // What has all times, an index or one file: "volumes.nxv.series", "KEAX.nxv.series"; of one file
+  // "volumes.nc", "KEAX.nc".
+  std::string name;
+  std::vector<std::string> files; // one for each time
 };
 
 // The recipe of a job with its input files: a file that changed makes another recipe.
@@ -118,12 +51,6 @@ std::string RecipeOf(const GridJob& job, const std::vector<fs::path>& files)
   return recipe;
 }
 
-RunFiles FilesOf(const GridJob& job, const SeriesMerger& merger)
-{
-  return {
-    job.written.format, job.perRadar ? merger.Sites() : std::vector<std::string>(), job.oneFile};
-}
-
 // How the volume of each time is written. One NetCDF file of all times is made of exact volumes at
 // the end of the run: such a file that a killed run left could not be continued.
 VolumeFiles FilesOfTimes(const GridJob& job)
@@ -137,6 +64,24 @@ VolumeFiles FilesOfTimes(const GridJob& job)
   return files;
 }
 
+// Names of the files that a run makes in its folder.
+std::vector<FileSeries> SeriesOf(const GridJob& job, const SeriesMerger& merger)
+{
+  std::vector<FileSeries> all;
+  for (const std::string& radar : job.perRadar ? merger.Sites() : std::vector<std::string>{""})
+  {
+    FileSeries series;
+    series.name = (radar.empty() ? "volumes" : radar) + ExtensionOf(job.written.format) +
+                  (job.oneFile ? "" : ".series");
+    for (const Time time : merger.Times())
+    {
+      series.files.push_back(VolumeFileName(time, FilesOfTimes(job).format, radar).string());
+    }
+    all.push_back(std::move(series));
+  }
+  return all;
+}
+
 // Merges and writes the steps of this process that are not there.
 class BlockWriter
 {
@@ -145,12 +90,13 @@ public:
     : job(theJob)
     , merger(theMerger)
     , run(theRun)
-    , files(FilesOf(theJob, theMerger))
+    , all(SeriesOf(theJob, theMerger))
     , writer(theRun, FilesOfTimes(theJob))
   {
   }
 
-  Block Write(const Progress& progress, const Processes& processes)
+  // Whether some radar took part in a volume.
+  bool Write(const Progress& progress, const Processes& processes)
   {
     const std::vector<Time>& times = merger.Times();
     const auto [begin, end] = processes.Part(times.size());
@@ -160,39 +106,32 @@ public:
     }
     for (std::size_t i = begin; i < end; ++i)
     {
-      this->Make(times[i], ShareOf(progress, i - begin, end - begin));
+      this->Make(i, ShareOf(progress, i - begin, end - begin));
     }
     writer.Finish();
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      for (const std::string& name : files.At(times[i]))
-      {
-        block.bytes += run.SizeOf(name);
-      }
-    }
-    return block;
+    return anySite;
   }
 
 private:
   using Clock = std::chrono::steady_clock;
 
-  bool HasAll(Time time)
+  bool HasAll(std::size_t step)
   {
-    const std::vector<std::string> names = files.At(time);
-    return std::all_of(
-      names.begin(), names.end(), [this](const std::string& name) { return run.Has(name); });
+    return std::all_of(all.begin(), all.end(),
+      [&](const FileSeries& series) { return run.Has(series.files[step]); });
   }
 
-  void Make(Time time, const Progress& progress)
+  void Make(std::size_t step, const Progress& progress)
   {
-    const std::optional<std::size_t> volumes = this->HasAll(time) ? merger.Skip(time, progress)
+    const Time time = merger.Times()[step];
+    const std::optional<std::size_t> volumes = this->HasAll(step) ? merger.Skip(time, progress)
                                                : job.perRadar     ? this->MakeEach(time, progress)
                                                               : this->MakeMerged(time, progress);
     if (!volumes)
     {
       this->Stop();
     }
-    block.anySite = block.anySite || *volumes > 0;
+    anySite = anySite || *volumes > 0;
     if (Clock::now() - noted > betweenNotes)
     {
       this->Note();
@@ -240,9 +179,9 @@ private:
   const GridJob& job;
   SeriesMerger& merger;
   UnfinishedRun& run;
-  const RunFiles files;
+  const std::vector<FileSeries> all;
   StepWriter writer;
-  Block block;
+  bool anySite = false;
   GriddedVolume memory;
   Clock::time_point noted = Clock::now();
 };
@@ -264,19 +203,6 @@ void LearnFromNotes(const UnfinishedRun& run, SeriesMerger& merger)
   }
 }
 
-// The blocks of all processes as one.
-Block AddUp(const Block& mine, const Processes& processes)
-{
-  Block all;
-  const std::string own = (mine.anySite ? "1" : "0") + std::to_string(mine.bytes);
-  for (const std::string& text : processes.Exchange(own))
-  {
-    all.anySite = all.anySite || text.front() == '1';
-    all.bytes += std::stoull(text.substr(1));
-  }
-  return all;
-}
-
 // The index of all volumes, whichever process made them.
 void WriteIndex(
   const fs::path& path, const std::vector<std::string>& files, const std::vector<Time>& times)
@@ -292,7 +218,7 @@ void WriteIndex(
 // Appends the volumes of all times, which wait in the run's folder, to one file in their place.
 // Returns its size in bytes.
 std::uintmax_t JoinFiles(
-  const RunFiles::Series& series, const std::string& history, const UnfinishedRun& run)
+  const FileSeries& series, const std::string& history, const UnfinishedRun& run)
 {
   vtkNexradNetCDFOutput joined(run.PlaceFor(series.name), history);
   NxvReadOptions options;
@@ -311,11 +237,11 @@ std::uintmax_t JoinFiles(
 }
 
 // The last files of a run: indices of the volumes, or files of all times.
-void FinishFiles(const GridJob& job, const std::vector<RunFiles::Series>& all,
+void FinishFiles(const GridJob& job, const std::vector<FileSeries>& all,
   const std::vector<Time>& times, UnfinishedRun& run, const Processes& processes,
   GridReport& report)
 {
-  for (const RunFiles::Series& series : all)
+  for (const FileSeries& series : all)
   {
     report.indices.push_back(job.folder / series.name);
     for (const std::string& file : series.files)
@@ -323,45 +249,49 @@ void FinishFiles(const GridJob& job, const std::vector<RunFiles::Series>& all,
       report.files.push_back(job.folder / file);
     }
   }
-  const auto join = [&]
+  if (job.oneFile)
   {
     report.files = report.indices;
     report.bytes = 0;
-    for (const RunFiles::Series& series : all)
-    {
-      report.bytes += processes.IsFirst() ? JoinFiles(series, job.written.history, run) : 0;
-    }
-  };
-  const auto index = [&]
-  {
-    for (std::size_t i = 0; i < all.size(); ++i)
-    {
-      WriteIndex(report.indices[i], all[i].files, times);
-    }
-  };
-  if (job.oneFile)
-  {
-    processes.Together(join);
-    run.End([] {});
-    return;
+    processes.Together(
+      [&]
+      {
+        for (const FileSeries& series : all)
+        {
+          report.bytes += processes.IsFirst() ? JoinFiles(series, job.written.history, run) : 0;
+        }
+      });
   }
-  run.End(index);
+  run.End(
+    [&]
+    {
+      for (std::size_t i = 0; i < all.size() && !job.oneFile; ++i)
+      {
+        WriteIndex(report.indices[i], all[i].files, times);
+      }
+    });
 }
 
 // The rest, once all volumes are there.
-GridReport Conclude(const GridJob& job, const SeriesMerger& merger, const Block& mine,
+GridReport Conclude(const GridJob& job, const SeriesMerger& merger, bool anySite,
   UnfinishedRun& run, const Processes& processes)
 {
   const std::vector<Time>& times = merger.Times();
-  const Block block = AddUp(mine, processes);
-  if (!block.anySite)
+  const std::vector<FileSeries> all = SeriesOf(job, merger);
+  GridReport report;
+  for (const FileSeries& series : all)
+  {
+    for (const std::string& file : series.files)
+    {
+      report.bytes += run.SizeOf(file); // as long as no process can have ended the run
+    }
+  }
+  if (processes.InAll(!anySite))
   {
     run.Discard();
     throw Error("no radar has a volume within --max-gap of any time asked for, from " +
                 FormatIso8601(times.front()) + " to " + FormatIso8601(times.back()));
   }
-  GridReport report;
-  report.bytes = block.bytes;
   for (const InputProblem& problem : merger.Problems())
   {
     report.problems.push_back(problem.Line());
@@ -370,7 +300,7 @@ GridReport Conclude(const GridJob& job, const SeriesMerger& merger, const Block&
   report.comparison = merger.CompareRadars();
   report.takenOff = merger.BiasesTakenOff();
   report.echo = merger.Echo();
-  FinishFiles(job, FilesOf(job, merger).SeriesOf(times), times, run, processes, report);
+  FinishFiles(job, all, times, run, processes, report);
   return report;
 }
 
@@ -382,7 +312,7 @@ void RequireRoom(const GridJob& job, const SeriesMerger& merger)
     return;
   }
   std::set<std::string> own;
-  for (const RunFiles::Series& series : FilesOf(job, merger).SeriesOf(merger.Times()))
+  for (const FileSeries& series : SeriesOf(job, merger))
   {
     own.insert(series.files.begin(), series.files.end());
     own.insert(series.name);
@@ -420,13 +350,13 @@ GridReport WriteVolumes(const GridJob& job, const Progress& progress, const Proc
   }
   for (;;)
   {
-    Block block;
+    bool anySite = false;
     const double from = merger.IsScanned() ? ScanShare : 0.0;
     processes.Together([&]
-      { block = BlockWriter(job, merger, run).Write(ShareOf(progress, from, 1.0), processes); });
+      { anySite = BlockWriter(job, merger, run).Write(ShareOf(progress, from, 1.0), processes); });
     if (merger.Confirm())
     {
-      return Conclude(job, merger, block, run, processes);
+      return Conclude(job, merger, anySite, run, processes);
     }
     run.Discard();
     RequireDone(merger.Scan(ShareOf(progress, 0.0, ScanShare)));

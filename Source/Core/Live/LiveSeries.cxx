@@ -97,9 +97,9 @@ void LiveSeries::ExpectRadarsOf(
   const std::vector<LiveInput>& inputs, std::vector<ScannedFile>& scanned)
 {
   std::map<std::string, Time> firsts;
-  for (const auto& [name, own] : this->BySite())
+  for (const SiteSeries& own : known.sites)
   {
-    firsts[name] = own.front()->description.start;
+    firsts[own.site.name] = own.volumes.front().start;
   }
   std::map<std::string, std::pair<Site, double>> ranges;
   for (const ScannedFile& file : scanned)
@@ -195,7 +195,7 @@ std::vector<ScannedFile> LiveSeries::Put(const std::vector<LiveInput>& inputs)
       {
         for (const auto& [site, description] : scanned[i].volumes)
         {
-          made[i].push_back({site.name, description, {}, inputs[i].finished});
+          made[i].push_back({site, description, {}, inputs[i].finished});
           for (const auto& [cycle, polar] : moments[i])
           {
             if (cycle == description.cycle)
@@ -213,75 +213,45 @@ std::vector<ScannedFile> LiveSeries::Put(const std::vector<LiveInput>& inputs)
     {
       volumes.erase(inputs[i].key);
     }
+    this->List();
     for (const Volume& volume : before)
     {
-      if (this->NewestByRadar().count(volume.site) == 0)
+      if (this->NewestByRadar().count(volume.site.name) == 0)
       {
-        this->ForgetRadar(volume.site);
+        this->ForgetRadar(volume.site.name);
       }
     }
   }
   return scanned;
 }
 
-// The volumes of each radar by their first rays; of two that share it the one with more rays.
-std::map<std::string, LiveSeries::Volumes> LiveSeries::BySite() const
+// What is held, as a catalogue. Keys tell which of two copies was named first.
+void LiveSeries::List()
 {
-  std::map<std::string, Volumes> bySite;
-  for (const auto& [key, input] : volumes)
+  known.sites.clear();
+  held.clear();
+  for (auto& [key, input] : volumes)
   {
-    for (const Volume& volume : input)
+    for (Volume& volume : input)
     {
-      bySite[volume.site].push_back(&volume);
+      volume.description.input = held.size();
+      held.push_back(&volume);
+      known.Of(volume.site).Put(volume.description);
     }
   }
-  for (auto& [site, own] : bySite)
-  {
-    std::stable_sort(own.begin(), own.end(),
-      [](const Volume* a, const Volume* b) { return IsBefore(a->description, b->description); });
-    own.erase(std::unique(own.begin(), own.end(),
-                [](const Volume* a, const Volume* b)
-                { return a->description.start == b->description.start; }),
-      own.end());
-  }
-  return bySite;
 }
 
-// Of a radar's volumes with a moment, those that take part at a time.
-LiveSeries::Volumes LiveSeries::ChosenAt(Time time, MomentName moment, const Volumes& own) const
+std::vector<ChosenVolume> LiveSeries::ChosenAt(Time time) const
 {
-  Volumes having;
-  std::vector<Time> starts;
-  std::vector<Time> ends;
-  for (const Volume* volume : own)
-  {
-    if (volume->description.Has(moment))
-    {
-      having.push_back(volume);
-      starts.push_back(volume->description.start);
-      ends.push_back(volume->description.end);
-    }
-  }
-  MergeRequest at = request;
-  at.time = time;
-  Volumes chosen;
-  for (const std::size_t index : ChooseVolumes(starts, ends, at))
-  {
-    chosen.push_back(having[index]);
-  }
-  return chosen;
+  return known.ChosenAt(time, VolumeRuleOf(options), options.Moments());
 }
 
 void LiveSeries::Forget(Time from)
 {
   std::set<const Volume*> needed;
-  for (const auto& [site, own] : this->BySite())
+  for (const ChosenVolume& each : this->ChosenAt(from))
   {
-    for (const MomentName moment : options.Moments())
-    {
-      const Volumes chosen = this->ChosenAt(from, moment, own);
-      needed.insert(chosen.begin(), chosen.end());
-    }
+    needed.insert(held[each.volume->input]);
   }
   for (auto input = volumes.begin(); input != volumes.end();)
   {
@@ -293,56 +263,16 @@ void LiveSeries::Forget(Time from)
       });
     input = isOver ? volumes.erase(input) : std::next(input);
   }
-}
-
-std::optional<Time> LiveSeries::First() const
-{
-  std::optional<Time> first;
-  for (const auto& [key, input] : volumes)
-  {
-    for (const Volume& volume : input)
-    {
-      first = std::min(first.value_or(volume.description.start), volume.description.start);
-    }
-  }
-  return first;
-}
-
-std::optional<Time> LiveSeries::Newest() const
-{
-  std::optional<Time> newest;
-  for (const auto& [site, time] : this->NewestByRadar())
-  {
-    newest = std::max(newest.value_or(time), time);
-  }
-  return newest;
-}
-
-std::vector<TimeSpan> LiveSeries::Spans() const
-{
-  std::vector<TimeSpan> spans;
-  for (const auto& [key, input] : volumes)
-  {
-    for (const Volume& volume : input)
-    {
-      spans.push_back({volume.description.start, volume.description.end});
-    }
-  }
-  std::sort(spans.begin(), spans.end(),
-    [](const TimeSpan& a, const TimeSpan& b) { return a.first < b.first; });
-  return spans;
+  this->List();
 }
 
 std::map<std::string, Time> LiveSeries::NewestByRadar() const
 {
   std::map<std::string, Time> newest;
-  for (const auto& [key, input] : volumes)
+  for (const Volume* volume : held)
   {
-    for (const Volume& volume : input)
-    {
-      Time& time = newest.emplace(volume.site, volume.description.end).first->second;
-      time = std::max(time, volume.description.end);
-    }
+    Time& time = newest.emplace(volume->site.name, volume->description.end).first->second;
+    time = std::max(time, volume->description.end);
   }
   return newest;
 }
@@ -350,14 +280,11 @@ std::map<std::string, Time> LiveSeries::NewestByRadar() const
 std::size_t LiveSeries::MemoryBytes() const
 {
   std::size_t bytes = 0;
-  for (const auto& [key, input] : volumes)
+  for (const Volume* volume : held)
   {
-    for (const Volume& volume : input)
+    for (const ReadyVolume& ready : volume->ready)
     {
-      for (const ReadyVolume& ready : volume.ready)
-      {
-        bytes += ready.beam ? ready.beam->MemoryBytes() : MemoryOf(*ready.polar);
-      }
+      bytes += ready.beam ? ready.beam->MemoryBytes() : MemoryOf(*ready.polar);
     }
   }
   return bytes;
@@ -365,38 +292,24 @@ std::size_t LiveSeries::MemoryBytes() const
 
 std::string LiveSeries::InputsAt(Time time) const
 {
-  std::string text = GridText(request.grid);
-  for (const auto& [site, own] : this->BySite())
-  {
-    for (const MomentName moment : options.Moments())
-    {
-      for (const Volume* volume : this->ChosenAt(time, moment, own))
-      {
-        const SeriesVolume& description = volume->description;
-        text += std::string("\n") + ToString(moment) + ' ' + site + ' ' +
-                FormatIso8601(description.start) + ' ' + FormatIso8601(description.end) + ' ' +
-                std::to_string(description.rays);
-      }
-    }
-  }
-  return text;
+  return GridText(request.grid) + known.MadeOf(time, VolumeRuleOf(options), options.Moments());
 }
 
 bool LiveSeries::IsSettled(Time time, const std::set<std::string>& silent) const
 {
-  const auto isSettled = [&](const Volumes& own)
+  const auto isSettled = [&](const SiteSeries& own)
   {
-    const bool goesOn = std::any_of(own.begin(), own.end(),
-      [time](const Volume* volume)
-      { return volume->finished && volume->description.start > time; });
-    const bool finished = std::all_of(own.begin(), own.end(),
-      [time](const Volume* volume)
-      { return volume->finished || volume->description.start > time; });
-    return goesOn && finished;
+    bool goesOn = false;
+    bool finished = true;
+    for (const SeriesVolume& volume : own.volumes)
+    {
+      const bool isFinished = held[volume.input]->finished;
+      goesOn = goesOn || (isFinished && volume.start > time);
+      finished = finished && (isFinished || volume.start > time);
+    }
+    return silent.count(own.site.name) > 0 || (goesOn && finished);
   };
-  const auto bySite = this->BySite();
-  return std::all_of(bySite.begin(), bySite.end(),
-    [&](const auto& site) { return silent.count(site.first) > 0 || isSettled(site.second); });
+  return std::all_of(known.sites.begin(), known.sites.end(), isSettled);
 }
 
 std::optional<GriddedVolume> LiveSeries::Merge(
@@ -404,17 +317,11 @@ std::optional<GriddedVolume> LiveSeries::Merge(
 {
   request.time = time;
   std::vector<ReadyVolume> ready;
-  const auto bySite = this->BySite();
-  for (const MomentName moment : options.Moments())
+  for (const ChosenVolume& each : this->ChosenAt(time))
   {
-    for (const auto& [site, own] : bySite)
-    {
-      for (const Volume* volume : this->ChosenAt(time, moment, own))
-      {
-        ready.push_back(*std::find_if(volume->ready.begin(), volume->ready.end(),
-          [moment](const ReadyVolume& each) { return each.Moment() == moment; }));
-      }
-    }
+    const std::vector<ReadyVolume>& own = held[each.volume->input]->ready;
+    ready.push_back(*std::find_if(own.begin(), own.end(),
+      [&each](const ReadyVolume& one) { return one.Moment() == each.moment; }));
   }
   return MergeMoments(ready, options.Moments(), request, progress, run, std::move(memory));
 }

@@ -59,20 +59,15 @@ public:
   const GridSpecification& Grid() const { return request.grid; }
   /// The radars that made the domain, by name, with their own ranges, m.
   const std::map<std::string, std::pair<Site, double>>& Sites() const { return sites; }
-  /// First ray of the volumes that are held; empty without any.
-  std::optional<Time> First() const;
-  /// Last ray of the volumes that are held; empty without any.
-  std::optional<Time> Newest() const;
-  /// First and last ray of each volume that is held, in the order of their first rays.
-  std::vector<TimeSpan> Spans() const;
+  /// The volumes that are held.
+  const Catalogue& Known() const { return known; }
   /// Last ray of the held volumes of each radar.
   std::map<std::string, Time> NewestByRadar() const;
-  std::size_t VolumeCount() const { return volumes.size(); }
   /// Bytes that the prepared volumes take.
   std::size_t MemoryBytes() const;
 
-  /// All that decides what the volume merged at a time contains, beside the options: radar, first
-  /// and last ray and number of rays of each volume that takes part, and the domain.
+  /// All that decides what the volume merged at a time contains, beside the options: the domain,
+  /// and what Catalogue::MadeOf says.
   std::string InputsAt(Time time) const;
   /// True when all volumes that take part at a time are finished, and each radar but those that are
   /// `silent` has a finished volume that begins later.
@@ -86,15 +81,14 @@ public:
 private:
   struct Volume
   {
-    std::string site;
-    SeriesVolume description;
+    Site site;
+    SeriesVolume description;       ///< its input is the place in `held`
     std::vector<ReadyVolume> ready; ///< each moment that it has
     bool finished = false;
   };
-  using Volumes = std::vector<const Volume*>;
 
-  std::map<std::string, Volumes> BySite() const;
-  Volumes ChosenAt(Time time, MomentName moment, const Volumes& own) const;
+  void List();
+  std::vector<ChosenVolume> ChosenAt(Time time) const;
   void PlanGrid();
   void LeaveOutOthers(std::vector<ScannedFile>& scanned) const;
   void ExpectRadarsOf(const std::vector<LiveInput>& inputs, std::vector<ScannedFile>& scanned);
@@ -107,6 +101,8 @@ private:
   bool keepsGrid = false;
   std::map<std::string, std::pair<Site, double>> sites;
   std::map<std::string, std::vector<Volume>> volumes; ///< by key, one a cycle
+  std::vector<const Volume*> held;                    ///< all of these
+  Catalogue known;                                    ///< of them
 };
 
 } // namespace nexrad

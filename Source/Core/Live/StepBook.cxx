@@ -91,12 +91,12 @@ bool StepBook::IsDue(Time step, const std::string& inputs, bool settled) const
   {
     return true;
   }
-  return known->second.inputs != inputs && (settled || this->IsClosing(step));
+  return known->second != inputs && (settled || this->IsClosing(step));
 }
 
-void StepBook::Make(Time step, const std::string& inputs, bool settled)
+void StepBook::Make(Time step, const std::string& inputs)
 {
-  made[step] = {inputs, settled};
+  made[step] = inputs;
 }
 
 void StepBook::Close()
@@ -108,11 +108,11 @@ void StepBook::Close()
       closedUntil = step;
     }
   }
-  for (auto& [time, step] : made)
+  for (auto& [time, inputs] : made)
   {
     if (closedUntil && time <= *closedUntil)
     {
-      step.inputs.clear(); // never compared again
+      inputs.clear(); // never compared again
     }
   }
 }
@@ -129,7 +129,7 @@ void StepBook::Drop(Time before)
 std::vector<Time> StepBook::Made() const
 {
   std::vector<Time> times;
-  for (const auto& [time, step] : made)
+  for (const auto& [time, inputs] : made)
   {
     times.push_back(time);
   }
@@ -140,9 +140,9 @@ std::string StepBook::Pack() const
 {
   nlohmann::json json = {{"first", ToJson(first)}, {"closed_until", ToJson(closedUntil)},
     {"steps", nlohmann::json::array()}};
-  for (const auto& [time, step] : made)
+  for (const auto& [time, inputs] : made)
   {
-    json["steps"].push_back({Number(time), step.inputs, step.settled});
+    json["steps"].push_back({Number(time), inputs});
   }
   return json.dump();
 }
@@ -157,7 +157,7 @@ void StepBook::Unpack(const std::string& text)
     book.closedUntil = OptionalTimeIn(json.at("closed_until"));
     for (const nlohmann::json& step : json.at("steps"))
     {
-      book.made[TimeIn(step.at(0))] = {step.at(1).get<std::string>(), step.at(2).get<bool>()};
+      book.made[TimeIn(step.at(0))] = step.at(1).get<std::string>();
     }
     *this = std::move(book);
   }

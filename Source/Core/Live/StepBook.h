@@ -42,8 +42,8 @@ public:
   /// `settled`: these will not change, as far as is known. A step is made at once, and once more
   /// when what it is made of has settled.
   bool IsDue(Time step, const std::string& inputs, bool settled) const;
-  /// The volume of a step was made of this. `settled`: as for IsDue.
-  void Make(Time step, const std::string& inputs, bool settled);
+  /// The volume of a step was made of this.
+  void Make(Time step, const std::string& inputs);
   /// All steps that are closing are done with.
   void Close();
   /// Forgets steps before a time; they are not made again.
@@ -65,17 +65,11 @@ public:
   void Unpack(const std::string& text);
 
 private:
-  struct Step
-  {
-    std::string inputs;
-    bool settled = false;
-  };
-
   StepRules rules;
   std::optional<Time> first;
   std::optional<Time> newest;
-  std::optional<Time> closedUntil; ///< the steps at and before it
-  std::map<Time, Step> made;
+  std::optional<Time> closedUntil;  ///< the steps at and before it
+  std::map<Time, std::string> made; ///< of what
 };
 
 } // namespace nexrad

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "nexrad/Grid/GridSpecification.h"
-#include "nexrad/Merging/MemoryLimit.h"
 #include "nexrad/Merging/MergeOptions.h"
 #include "nexrad/Model/Site.h"
 
@@ -13,6 +12,13 @@
 
 namespace nexrad
 {
+
+/// What becomes of merged volumes, beside the one that is being made.
+struct VolumeUse
+{
+  std::size_t others = 0;      ///< merged volumes that are there at the same time
+  std::size_t bytesAVoxel = 0; ///< that are made of one volume, of all its moments together
+};
 
 /// The most memory that a run of merges has at a time, by what it is for, bytes. An estimate from
 /// the sizes of the buffers; what a run takes is 0.5 to 1 times as much.

@@ -2,21 +2,80 @@
 #pragma once
 
 #include "nexrad/Grid/MakeGrid.h"
-#include "nexrad/Merging/MemoryLimit.h"
-#include "nexrad/Merging/TimeMerge.h"
+#include "nexrad/Gridding/BeamMerge.h"
+#include "nexrad/Model/Moment.h"
+#include "nexrad/Moments/MomentOptions.h"
+#include "nexrad/Motion/MotionField.h"
+#include "nexrad/Series/Catalogue.h"
 #include "nexrad/Series/ScannedFile.h"
-#include "nexrad/Series/SiteSeries.h"
+#include "nexrad/Series/VolumeSelection.h"
 
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace nexrad
 {
 
+/// How rays become voxels.
+enum class MergeMethod
+{
+  Thesis, ///< Formulas T1–T7
+  Beam    ///< Formulas G, W and A: BeamMerger
+};
+
+/// "thesis", "beam".
+const char* ToString(MergeMethod method);
+/// Empty when the text names no method.
+std::optional<MergeMethod> ParseMergeMethod(std::string_view text);
+
+/// How Beam interpolates between two observations of a radar.
+enum class TimeInterpolationMethod
+{
+  Linear,     ///< without a shift (Formulas A1)
+  AlongMotion ///< each shifted along the motion of the echo (A2a), where that is known
+};
+
+/// How volumes are merged, whatever the grid and the time; as MomentOptions, how the moments of a
+/// volume are made before.
+struct MergeRules : MomentOptions
+{
+  /// Quality control takes out what QualityLevel::Standard does.
+  MergeRules() { quality.level = QualityLevel::Standard; }
+
+  MergeMethod method = MergeMethod::Beam;
+  Duration maximumGap = std::chrono::minutes(15); ///< what was seen farther from the time does not
+                                                  ///< count: for Thesis a volume, by its start; for
+                                                  ///< Beam a ray
+  BeamMergeOptions beam;                          ///< of Beam; its largest gap is not used
+  TimeInterpolationMethod interpolation = TimeInterpolationMethod::AlongMotion; ///< of Beam
+  std::optional<Velocity> motion; ///< for AlongMotion, in place of the one found from reflectivity,
+                                  ///< at most FastestEcho; without it other moments are
+                                  ///< interpolated linearly
+};
+
+/// How the moments are made for the method of the rules: Thesis takes the gates as they are, but
+/// for despeckling.
+MomentOptions MomentOptionsOf(const MergeRules& rules);
+
+/// Which volumes the method takes: Thesis by their nominal times, Beam those about the time.
+VolumeRule VolumeRuleOf(const MergeRules& rules);
+
+/// Throws Error when the method does not know the moment: Thesis knows REF alone.
+void RequireMoment(MergeMethod method, MomentName moment);
+
 /// Time between two volumes when nobody says otherwise.
 constexpr Duration DefaultStep = std::chrono::minutes(5);
+
+/// The memory that a run may take.
+struct MemoryLimit
+{
+  std::size_t bytes = 0; ///< 0: not limited
+  std::string option;    ///< that set it, as "--memory", for messages; empty: the machine has no
+                         ///< more
+};
 
 /// What a user asks of merged volumes.
 struct MergeOptions : MergeRules
@@ -46,9 +105,6 @@ struct MergeOptions : MergeRules
 /// What options ask of a scan. Throws Error for a moment that the method does not know, and for one
 /// that is named twice.
 SeriesOptions SeriesOptionsOf(const MergeOptions& options);
-
-/// The merges that options ask for, but for grid and time. `loop` runs their rows.
-MergeRequest MergeRequestOf(const MergeOptions& options, const RangeLoop& loop);
 
 /// The grid that options name, about radars whose own domain has a radius of `range` m.
 GridSpecification GridOf(

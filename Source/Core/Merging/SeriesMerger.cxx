@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Merging/SeriesMerger.h"
 
-#include "nexrad/Series/InputError.h"
-#include "nexrad/Series/ScanInputs.h"
+#include "nexrad/Series/InputFiles.h"
 #include "nexrad/Series/SharedScan.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/Thesis/ThesisGeometry.h"
@@ -72,50 +71,39 @@ std::vector<ReadyVolume> OfRadar(const std::vector<ReadyVolume>& volumes, const 
   return own;
 }
 
-// The volumes that a request takes.
-VolumeChoice ChoiceOf(const MergeRequest& request)
-{
-  return [&request](const std::vector<Time>& starts, const std::vector<Time>& ends)
-  { return ChooseVolumes(starts, ends, request); };
-}
-
-// What stands for a file of which nothing is known.
-bool IsUnknown(const ScannedFile& file)
-{
-  return file.volumes.empty() && file.problems.empty() && file.notes.empty();
-}
-
 SeriesOptions OneThreadAFile(SeriesOptions series)
 {
   series.level2.threads = 1;
   return series;
 }
 
-// What the volumes of a radar that some time step takes have near the ground.
-void AddLowEchoes(const SiteSeries& series, const std::vector<Time>& times,
-  const MergeRequest& request, LowEchoes& echoes)
+// What the volumes that some time takes have near the ground.
+LowEchoes LowEchoesAt(
+  const std::vector<Time>& times, const VolumeRule& rule, const Catalogue& catalogue)
 {
-  std::set<const SeriesVolume*> taken;
-  MergeRequest at = request;
+  std::set<std::pair<std::size_t, const SeriesVolume*>> taken; // by radar and start
   for (const Time time : times)
   {
-    at.time = time;
-    const auto chosen = ChooseWith(MomentName::REF, series.volumes, ChoiceOf(at));
-    taken.insert(chosen.begin(), chosen.end());
+    for (const auto& [moment, site, volume] : catalogue.ChosenAt(time, rule, {MomentName::REF}))
+    {
+      taken.emplace(site, volume);
+    }
   }
-  for (const SeriesVolume* volume : taken)
+  LowEchoes echoes;
+  for (const auto& [site, volume] : taken)
   {
     if (volume->lowEcho)
     {
       echoes.push_back(volume->lowEcho);
     }
   }
+  return echoes;
 }
 
-LowEchoes AllLowEchoes(const SeriesScan& scan)
+LowEchoes AllLowEchoes(const Catalogue& catalogue)
 {
   LowEchoes echoes;
-  for (const SiteSeries& series : scan.sites)
+  for (const SiteSeries& series : catalogue.sites)
   {
     for (const SeriesVolume& volume : series.volumes)
     {
@@ -180,28 +168,24 @@ SeriesMerger::~SeriesMerger() = default;
 bool SeriesMerger::Open(const Progress& progress)
 {
   this->FindFiles();
-  if (!setup.scanFirst)
-  {
-    bool opened = false;
-    setup.processes.Together([&] { opened = this->OpenByHeaders(); });
-    if (setup.processes.InAll(opened))
-    {
-      return true;
-    }
-  }
-  return this->Scan(progress);
+  return this->Begin(progress);
 }
 
 bool SeriesMerger::SetOptions(const MergeOptions& theOptions, const Progress& progress)
 {
   options = theOptions;
+  return this->Begin(progress);
+}
+
+bool SeriesMerger::Begin(const Progress& progress)
+{
   if (scan)
   {
     setup.processes.Together([&] { this->PlanByScan(); });
     return true;
   }
   bool opened = false;
-  setup.processes.Together([&] { opened = this->OpenByHeaders(); });
+  setup.processes.Together([&] { opened = !setup.scanFirst && this->OpenByHeaders(); });
   return setup.processes.InAll(opened) || this->Scan(progress);
 }
 
@@ -251,31 +235,24 @@ SeriesOptions SeriesMerger::ScanOptions() const
 
 SeriesFiles SeriesMerger::FilesByHeaders() const
 {
-  return {
-    found.paths, *headers, loader ? loader->Known() : std::vector<std::optional<ScannedFile>>()};
+  return {found.paths, *headers, loader ? loader->Known() : std::vector<ScannedFile>()};
 }
 
 SeriesFiles SeriesMerger::FilesByScan() const
 {
   SeriesFiles files{found.paths, {}, {}};
   files.known.resize(found.paths.size());
-  std::map<std::filesystem::path, std::size_t> indices;
-  for (std::size_t index = 0; index < found.paths.size(); ++index)
-  {
-    indices.emplace(found.paths[index], index);
-  }
   for (const SiteSeries& series : scan->sites)
   {
     SiteFileList site{series.site.name, {}};
     for (const SeriesVolume& volume : series.volumes)
     {
-      const std::size_t index = indices.at(volume.file);
-      if (!files.known[index])
+      std::vector<std::pair<Site, SeriesVolume>>& known = files.known[volume.input].volumes;
+      if (known.empty())
       {
-        files.known[index].emplace();
-        site.files.push_back({index, volume.start});
+        site.files.push_back({volume.input, volume.start});
       }
-      files.known[index]->volumes.emplace_back(series.site, volume);
+      known.emplace_back(series.site, volume);
     }
     files.sites.push_back(std::move(site));
   }
@@ -287,13 +264,7 @@ void SeriesMerger::MakeLoader(SeriesFiles files)
   LoaderWork work;
   work.prepare = [shared = planned](const std::shared_ptr<const PolarVolume>& volume)
   { return MakeReady(volume, shared->Get()); };
-  work.choose = [rules = request](
-                  const std::vector<Time>& starts, const std::vector<Time>& ends, Time time)
-  {
-    MergeRequest at = rules;
-    at.time = time;
-    return ChooseVolumes(starts, ends, at);
-  };
+  work.rule = VolumeRuleOf(request);
   decodedBefore += loader ? loader->DecodedFiles() : 0;
   follower = nullptr;
   loader = std::make_unique<VolumeLoader>(
@@ -366,27 +337,24 @@ bool SeriesMerger::OpenByHeaders()
     return false;
   }
   this->Plan(*extent);
+  times = TimeStepsOf(options, extent->first, extent->last, extent->volumes);
   return true;
 }
 
 void SeriesMerger::Plan(const Extent& extent)
 {
+  sites.clear();
   positions.clear();
   for (const Site& site : extent.sites)
   {
-    positions.push_back(*site.position);
-  }
-  sites.clear();
-  for (const Site& site : extent.sites)
-  {
     sites.push_back(site.name);
+    positions.push_back(*site.position);
   }
   this->FindBiases();
   request.grid = GridOf(options, positions, extent.sites.size() == 1 ? extent.range : DefaultRange);
   this->RequireMemoryOfGrid();
   planned->Set(request);
   rays = {extent.first, extent.last};
-  times = TimeStepsOf(options, extent.first, extent.last, extent.volumes);
 }
 
 bool SeriesMerger::ScanFiles(const Progress& progress)
@@ -396,13 +364,15 @@ bool SeriesMerger::ScanFiles(const Progress& progress)
     cache = std::make_shared<PolarCache>(memoryForRays);
   }
   SeriesOptions series = this->ScanOptions();
-  series.processes = setup.processes;
   series.threads = setup.threads;
-  series.order = setup.order;
   series.summaries = setup.scanFirst;
   const auto keep = [this](const SeriesVolume& key, const RadarVolume&,
-                      const PolarCache::Volume& volume) { cache->Offer(key, volume); };
-  scan = nexrad::ScanFiles(found, series, keep, progress);
+                      const std::shared_ptr<const PolarVolume>& volume) {
+    cache->Offer({volume->moment, key.cycle, key.file}, volume, MemoryOf(*volume));
+  };
+  const auto files =
+    ScanTogether(found.paths, setup.processes, setup.order, series, keep, progress);
+  scan = files ? std::optional(CollectSeries(found.problems, *files)) : std::nullopt;
   return scan.has_value();
 }
 
@@ -423,19 +393,17 @@ void SeriesMerger::PlanByScan()
     throw InputError("no input holds a volume that can be used" + ExplainNothing(*scan), false);
   }
   request = MergeRequestOf(options, setup.loop);
-  sites.clear();
+  planned = std::make_shared<SharedRequest>(request);
+  Extent extent;
   for (const SiteSeries& series : scan->sites)
   {
-    sites.push_back(series.site.name);
+    extent.sites.push_back(series.site);
   }
-  this->FindBiases();
-  positions = scan->Positions();
-  request.grid = GridOf(options, positions, scan->Range());
-  this->RequireMemoryOfGrid();
-  planned = std::make_shared<SharedRequest>(request);
-  planned->Set(request);
+  extent.first = *scan->First();
+  extent.last = *scan->Last();
+  extent.range = scan->Range();
+  this->Plan(extent);
   this->MakeLoader(this->FilesByScan());
-  rays = {*scan->First(), *scan->Last()};
   times = TimeStepsOf(options, *scan);
 }
 
@@ -451,17 +419,8 @@ void SeriesMerger::FindBiases()
 
 BiasReport SeriesMerger::CompareRadars() const
 {
-  if (scan)
-  {
-    return nexrad::CompareRadars(AllLowEchoes(*scan));
-  }
-  const SeriesScan known = this->KnownScan();
-  LowEchoes echoes;
-  for (const SiteSeries& series : known.sites)
-  {
-    AddLowEchoes(series, times, request, echoes);
-  }
-  return nexrad::CompareRadars(echoes);
+  return nexrad::CompareRadars(
+    scan ? AllLowEchoes(*scan) : LowEchoesAt(times, VolumeRuleOf(request), this->KnownScan()));
 }
 
 std::vector<InputProblem> SeriesMerger::Problems() const
@@ -494,7 +453,7 @@ std::optional<ReasonCounts> SeriesMerger::Echo() const
 
 std::vector<MomentName> SeriesMerger::Moments() const
 {
-  const SeriesScan known = scan ? *scan : this->Collect(loader->Known());
+  const SeriesScan known = scan ? *scan : CollectSeries(found.problems, loader->Known());
   std::set<MomentName> moments;
   for (const SiteSeries& series : known.sites)
   {
@@ -516,6 +475,12 @@ void SeriesMerger::EndAt(Time time)
   loader->EndAt(time);
 }
 
+// Of all volumes, those that a time takes.
+std::vector<ChosenVolume> SeriesMerger::ChosenAt(Time time) const
+{
+  return scan->ChosenAt(time, VolumeRuleOf(request), options.Moments());
+}
+
 // Of radars whose summaries tell how far they see, those that see the block, in the order of the
 // scan; empty: all.
 std::vector<bool> SeriesMerger::FindReaching()
@@ -527,15 +492,11 @@ std::vector<bool> SeriesMerger::FindReaching()
   std::vector<SiteReach> reaches;
   for (const SiteSeries& series : scan->sites)
   {
-    SiteReach reach{*series.site.position, 0.0};
-    for (const MomentName moment : options.Moments())
-    {
-      for (const auto* volume : ChooseWith(moment, series.volumes, ChoiceOf(request)))
-      {
-        reach.reach = std::max(reach.reach, volume->summary->reach);
-      }
-    }
-    reaches.push_back(reach);
+    reaches.push_back({*series.site.position, 0.0});
+  }
+  for (const auto& [moment, site, volume] : this->ChosenAt(request.time))
+  {
+    reaches[site].reach = std::max(reaches[site].reach, volume->summary->reach);
   }
   if (request.method == MergeMethod::Beam)
   {
@@ -553,17 +514,15 @@ std::vector<bool> SeriesMerger::FindReaching()
 void SeriesMerger::AddSweepless(
   const std::vector<bool>& reaching, std::vector<ReadyVolume>& volumes)
 {
-  for (std::size_t site = 0; site < reaching.size(); ++site)
+  if (reaching.empty())
   {
-    const SiteSeries& series = scan->sites[site];
-    for (const MomentName moment : options.Moments())
+    return;
+  }
+  for (const auto& [moment, site, volume] : this->ChosenAt(request.time))
+  {
+    if (!reaching[site])
     {
-      const auto chosen = reaching[site] ? std::vector<const SeriesVolume*>()
-                                         : ChooseWith(moment, series.volumes, ChoiceOf(request));
-      for (const SeriesVolume* volume : chosen)
-      {
-        volumes.push_back(run.WithoutSweeps(series.site, *volume, request, moment));
-      }
+      volumes.push_back(sweepless.Make(scan->sites[site].site, *volume, request, moment));
     }
   }
 }
@@ -586,7 +545,7 @@ std::optional<std::vector<ReadyVolume>> SeriesMerger::VolumesAbout(
   }
   if (volumes && setup.anyOrder)
   {
-    history.Remember(*volumes);
+    sweepless.Remember(*volumes);
   }
   return volumes;
 }
@@ -652,16 +611,6 @@ std::optional<std::size_t> SeriesMerger::Skip(Time time, const Progress& progres
   return volumes ? std::optional(volumes->size()) : std::nullopt;
 }
 
-std::vector<ScannedFile> SeriesMerger::KnownFiles() const
-{
-  std::vector<ScannedFile> files;
-  for (const std::optional<ScannedFile>& file : loader->Known())
-  {
-    files.push_back(file.value_or(ScannedFile()));
-  }
-  return files;
-}
-
 void SeriesMerger::LearnFiles(const std::vector<ScannedFile>& files)
 {
   if (files.size() != found.paths.size())
@@ -669,32 +618,29 @@ void SeriesMerger::LearnFiles(const std::vector<ScannedFile>& files)
     throw Error("these are descriptions of " + std::to_string(files.size()) + " files, not of " +
                 std::to_string(found.paths.size()));
   }
-  std::vector<std::optional<ScannedFile>> known;
-  for (const ScannedFile& file : files)
-  {
-    known.push_back(IsUnknown(file) ? std::nullopt : std::optional(file));
-  }
-  loader->Learn(known);
+  loader->Learn(files);
 }
 
 // Those of reflectivity about a time, without sweeps; empty when `progress` asked to stop.
 std::optional<BeamVolumes> SeriesMerger::EchoAbout(Time time, const Progress& progress)
 {
-  if (const auto known = loader->KnownAbout(time, MomentName::REF))
+  const auto find = [&]() -> std::optional<BeamVolumes>
   {
-    BeamVolumes kept = history.Find(*known);
-    if (kept.size() == known->size())
-    {
-      return kept;
-    }
+    const auto known = loader->KnownAbout(time, MomentName::REF);
+    BeamVolumes kept = known ? sweepless.Find(*known) : BeamVolumes();
+    return known && kept.size() == known->size() ? std::optional(std::move(kept)) : std::nullopt;
+  };
+  if (auto kept = find())
+  {
+    return kept;
   }
   const std::optional<std::vector<ReadyVolume>> volumes = this->VolumesAbout(time, {}, progress);
   if (!volumes)
   {
     return std::nullopt;
   }
-  history.Remember(*volumes);
-  return history.Find(*volumes);
+  sweepless.Remember(*volumes);
+  return find().value_or(BeamVolumes());
 }
 
 // What merges reflectivity of the same files; nullptr when `progress` asked to stop.
@@ -766,16 +712,6 @@ std::optional<GriddedVolume> SeriesMerger::MergeBox(
   return volumes ? MergeMoments(*volumes, options.Moments(), asked, merging, boxRun) : std::nullopt;
 }
 
-SeriesScan SeriesMerger::Collect(const std::vector<std::optional<ScannedFile>>& known) const
-{
-  std::vector<ScannedFile> files;
-  for (const std::optional<ScannedFile>& file : known)
-  {
-    files.push_back(file.value_or(ScannedFile()));
-  }
-  return CollectSeries(found.problems, files);
-}
-
 // What is known of the inputs so far.
 SeriesScan SeriesMerger::KnownScan() const
 {
@@ -783,30 +719,28 @@ SeriesScan SeriesMerger::KnownScan() const
   {
     return *scan;
   }
-  return gathered ? *gathered : this->Collect(loader->Known());
+  return gathered ? *gathered : CollectSeries(found.problems, loader->Known());
 }
 
 // What all processes decoded.
 SeriesScan SeriesMerger::Gather() const
 {
-  std::vector<std::optional<ScannedFile>> known = loader->Known();
+  std::vector<ScannedFile> known = loader->Known();
   if (setup.processes.Count() > 1)
   {
-    for (const std::string& message :
-      setup.processes.Exchange(PackScannedFiles(this->KnownFiles())))
+    for (const std::string& message : setup.processes.Exchange(PackScannedFiles(known)))
     {
       std::vector<ScannedFile> part = UnpackScannedFiles(message);
       for (std::size_t i = 0; i < part.size(); ++i)
       {
-        const bool told = known[i] && !TellsEcho(*known[i]) && TellsEcho(part[i]);
-        if (told || (!known[i] && !IsUnknown(part[i])))
+        if (IsUnknown(known[i]) || (!TellsEcho(known[i]) && TellsEcho(part[i])))
         {
           known[i] = std::move(part[i]);
         }
       }
     }
   }
-  return this->Collect(known);
+  return CollectSeries(found.problems, known);
 }
 
 bool SeriesMerger::Confirm()
@@ -816,7 +750,10 @@ bool SeriesMerger::Confirm()
     return true;
   }
   gathered = this->Gather();
-  const bool asIn = !gathered->sites.empty() && loader->IsAsIn(*gathered) &&
+  const auto isAsMade = [&](const std::pair<Time, std::string>& step)
+  { return step.second == gathered->MadeOf(step.first, VolumeRuleOf(request), options.Moments()); };
+  const std::map<Time, std::string>& made = loader->Made();
+  const bool asIn = !gathered->sites.empty() && std::all_of(made.begin(), made.end(), isAsMade) &&
                     request.grid == GridOf(options, gathered->Positions(), gathered->Range()) &&
                     !FindPause(options, gathered->Spans()) &&
                     times == TimeStepsOf(options, *gathered);

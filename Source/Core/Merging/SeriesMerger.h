@@ -4,11 +4,11 @@
 #include "nexrad/Calibration/RadarComparison.h"
 #include "nexrad/Grid/FinerBox.h"
 #include "nexrad/Merging/BoxFollower.h"
-#include "nexrad/Merging/EchoHistory.h"
 #include "nexrad/Merging/MemoryNeed.h"
 #include "nexrad/Merging/MergeOptions.h"
-#include "nexrad/Merging/PolarCache.h"
+#include "nexrad/Merging/SweeplessVolumes.h"
 #include "nexrad/Merging/VolumeLoader.h"
+#include "nexrad/Series/SharedScan.h"
 #include "nexrad/System/Processes.h"
 #include "nexrad/System/Progress.h"
 
@@ -125,7 +125,7 @@ public:
   std::optional<std::size_t> Skip(Time time, const Progress& progress = {});
 
   /// What the files hold, in their order, as far as it is known; empty ones where it is not.
-  std::vector<ScannedFile> KnownFiles() const;
+  std::vector<ScannedFile> KnownFiles() const { return loader->Known(); }
   /// Tells what KnownFiles said of the same inputs and options before. Throws Error when the files
   /// are not as many.
   void LearnFiles(const std::vector<ScannedFile>& files);
@@ -152,6 +152,7 @@ private:
   struct Extent;
   class SharedRequest;
 
+  bool Begin(const Progress& progress);
   void FindFiles();
   void RequireMemoryOfGrid() const;
   bool OpenByHeaders();
@@ -165,9 +166,9 @@ private:
   void MakeLoader(SeriesFiles files);
   SeriesFiles FilesByHeaders() const;
   SeriesFiles FilesByScan() const;
-  SeriesScan Collect(const std::vector<std::optional<ScannedFile>>& known) const;
   SeriesScan KnownScan() const;
   SeriesScan Gather() const;
+  std::vector<ChosenVolume> ChosenAt(Time time) const;
   std::vector<bool> FindReaching();
   void AddSweepless(const std::vector<bool>& reaching, std::vector<ReadyVolume>& volumes);
   std::optional<std::vector<ReadyVolume>> VolumesAbout(
@@ -193,7 +194,7 @@ private:
   std::size_t decodedBefore = 0; ///< by loaders before this one
   MergeRun run;
   MergeRun boxRun; ///< of MergeBox
-  EchoHistory history;
+  SweeplessVolumes sweepless;
   std::shared_ptr<BoxFollower> follower;    ///< of the boxes, until the volumes or the grid change
   std::unique_ptr<SeriesMerger> echoMerger; ///< of reflectivity, where it is not merged here
   std::vector<Time> times;

@@ -4,7 +4,6 @@
 #include "nexrad/Grid/VolumeMoments.h"
 #include "nexrad/Merging/MergeSettings.h"
 #include "nexrad/Model/SiteKey.h"
-#include "nexrad/Series/VolumeSelection.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/Thesis/ThesisGeometry.h"
 #include "nexrad/Thesis/ThesisMerge.h"
@@ -22,56 +21,21 @@ namespace nexrad
 namespace
 {
 
-using VolumeList = std::vector<const PolarVolume*>;
-
-// The volumes of each site, by their starts.
-std::vector<VolumeList> GroupBySite(const VolumeList& volumes)
-{
-  std::map<SiteKey, VolumeList> sites;
-  for (const PolarVolume* volume : volumes)
-  {
-    sites[KeyOf(volume->site)].push_back(volume);
-  }
-  std::vector<VolumeList> lists;
-  for (auto& site : sites)
-  {
-    std::stable_sort(site.second.begin(), site.second.end(),
-      [](const PolarVolume* a, const PolarVolume* b) { return a->start < b->start; });
-    lists.push_back(std::move(site.second));
-  }
-  return lists;
-}
-
-VolumeList ChooseVolumes(const VolumeList& own, const MergeRequest& request)
-{
-  std::vector<Time> starts;
-  std::vector<Time> ends;
-  for (const PolarVolume* volume : own)
-  {
-    starts.push_back(volume->start);
-    ends.push_back(volume->end);
-  }
-  VolumeList chosen;
-  for (const std::size_t index : ChooseVolumes(starts, ends, request))
-  {
-    chosen.push_back(own[index]);
-  }
-  return chosen;
-}
-
 std::optional<GriddedVolume> MergeByThesis(
-  const std::vector<VolumeList>& sites, const MergeRequest& request, const Progress& progress)
+  const std::vector<ReadyVolume>& volumes, const MergeRequest& request, const Progress& progress)
 {
-  std::vector<SiteBracket> brackets;
+  std::map<SiteKey, SiteBracket> sites;
   bool synthetic = false;
-  for (const VolumeList& chosen : sites)
+  for (const ReadyVolume& each : volumes)
   {
-    SiteBracket bracket;
-    for (const PolarVolume* volume : chosen)
-    {
-      (volume->start <= request.time ? bracket.before : bracket.after) = volume;
-      synthetic = synthetic || volume->synthetic;
-    }
+    const PolarVolume& volume = *each.polar;
+    SiteBracket& bracket = sites[KeyOf(volume.site)];
+    (volume.start <= request.time ? bracket.before : bracket.after) = &volume;
+    synthetic = synthetic || volume.synthetic;
+  }
+  std::vector<SiteBracket> brackets;
+  for (const auto& [key, bracket] : sites)
+  {
     brackets.push_back(bracket);
   }
   std::optional<GriddedVolume> merged =
@@ -81,22 +45,6 @@ std::optional<GriddedVolume> MergeByThesis(
     merged->synthetic = synthetic;
   }
   return merged;
-}
-
-std::optional<GriddedVolume> MergeByBeam(
-  const VolumeList& volumes, const MergeRequest& request, const Progress& progress, MergeRun& run)
-{
-  BeamMerger& merger = run.MergerFor(request);
-  const BeamVolumes ready = merger.Prepare(volumes, request.loop);
-  const std::shared_ptr<const MotionField> motion = run.MotionFor(ready, request);
-  return merger.Merge(ready, request.time, motion.get(), request.loop, progress);
-}
-
-// Whether a request's merge searches reflectivity for its motion.
-bool LooksForMotion(const MergeRequest& request, MomentName moment)
-{
-  return request.method == MergeMethod::Beam && moment == MomentName::REF &&
-         request.interpolation == TimeInterpolationMethod::AlongMotion && !request.motion;
 }
 
 // Whether a merger with one of them serves for the other.
@@ -133,6 +81,20 @@ void CheckMotion(const Velocity& motion)
 
 } // namespace
 
+MergeRequest MergeRequestOf(const MergeOptions& options, const RangeLoop& loop)
+{
+  MergeRequest request;
+  static_cast<MergeRules&>(request) = options;
+  request.loop = loop;
+  return request;
+}
+
+bool LooksForMotion(const MergeRequest& request, MomentName moment)
+{
+  return request.method == MergeMethod::Beam && moment == MomentName::REF &&
+         request.interpolation == TimeInterpolationMethod::AlongMotion && !request.motion;
+}
+
 ReadyVolume MakeReady(const std::shared_ptr<const PolarVolume>& volume, const MergeRequest& request)
 {
   if (request.method == MergeMethod::Thesis)
@@ -141,25 +103,6 @@ ReadyVolume MakeReady(const std::shared_ptr<const PolarVolume>& volume, const Me
   }
   return {nullptr,
     std::make_shared<const BeamVolume>(PrepareForGrid(*volume, request.grid, request.beam))};
-}
-
-std::vector<std::size_t> ChooseVolumes(
-  const std::vector<Time>& starts, const std::vector<Time>& ends, const MergeRequest& request)
-{
-  if (request.method == MergeMethod::Beam)
-  {
-    return FindVolumesAbout(starts, ends, request.time, request.maximumGap);
-  }
-  const VolumeBracket bracket = FindBracket(starts, request.time, request.maximumGap);
-  std::vector<std::size_t> chosen;
-  for (const std::optional<std::size_t>& index : {bracket.before, bracket.after})
-  {
-    if (index)
-    {
-      chosen.push_back(*index);
-    }
-  }
-  return chosen;
 }
 
 BeamMerger& MergeRun::MergerFor(const MergeRequest& request)
@@ -192,52 +135,21 @@ std::shared_ptr<const MotionField> MergeRun::MotionFor(
            : nullptr;
 }
 
-std::optional<GriddedVolume> MergeVolumes(const std::vector<const PolarVolume*>& volumes,
-  const MergeRequest& request, const Progress& progress, MergeRun* run)
-{
-  std::vector<VolumeList> sites;
-  for (const VolumeList& own : GroupBySite(volumes))
-  {
-    VolumeList chosen = ChooseVolumes(own, request);
-    if (!chosen.empty())
-    {
-      sites.push_back(std::move(chosen));
-    }
-  }
-  if (request.method == MergeMethod::Thesis)
-  {
-    return MergeByThesis(sites, request, progress);
-  }
-  VolumeList chosen;
-  for (const VolumeList& own : sites)
-  {
-    chosen.insert(chosen.end(), own.begin(), own.end());
-  }
-  MergeRun once;
-  return MergeByBeam(chosen, request, progress, run != nullptr ? *run : once);
-}
-
 std::optional<GriddedVolume> MergeVolumes(const std::vector<ReadyVolume>& volumes,
   const MergeRequest& request, const Progress& progress, MergeRun& run, GriddedVolume memory)
 {
-  if (request.method == MergeMethod::Beam)
+  if (request.method == MergeMethod::Thesis)
   {
-    BeamVolumes ready;
-    for (const ReadyVolume& volume : volumes)
-    {
-      ready.push_back(volume.beam);
-    }
-    BeamMerger& merger = run.MergerFor(request);
-    const std::shared_ptr<const MotionField> motion = run.MotionFor(ready, request);
-    return merger.Merge(
-      ready, request.time, motion.get(), request.loop, progress, std::move(memory));
+    return MergeByThesis(volumes, request, progress);
   }
-  VolumeList polar;
+  BeamVolumes ready;
   for (const ReadyVolume& volume : volumes)
   {
-    polar.push_back(volume.polar.get());
+    ready.push_back(volume.beam);
   }
-  return MergeVolumes(polar, request, progress, &run);
+  BeamMerger& merger = run.MergerFor(request);
+  const std::shared_ptr<const MotionField> motion = run.MotionFor(ready, request);
+  return merger.Merge(ready, request.time, motion.get(), request.loop, progress, std::move(memory));
 }
 
 std::optional<GriddedVolume> MergeMoments(const std::vector<ReadyVolume>& volumes,
@@ -259,43 +171,6 @@ std::optional<GriddedVolume> MergeMoments(const std::vector<ReadyVolume>& volume
     merged.push_back(std::move(*one));
   }
   return JoinMoments(std::move(merged));
-}
-
-ReadyVolume MergeRun::WithoutSweeps(
-  const Site& site, const SeriesVolume& volume, const MergeRequest& request, MomentName moment)
-{
-  if (request.method == MergeMethod::Thesis)
-  {
-    return {std::make_shared<const PolarVolume>(
-              PolarVolume{site, moment, volume.start, volume.end, volume.synthetic, {}, {}}),
-      nullptr};
-  }
-  const bool pictured = LooksForMotion(request, moment);
-  sweepless.erase(std::remove_if(sweepless.begin(), sweepless.end(),
-                    [](const SweeplessVolume& each) { return each.volume.expired(); }),
-    sweepless.end());
-  for (const SweeplessVolume& each : sweepless)
-  {
-    const std::shared_ptr<const BeamVolume> made = each.volume.lock();
-    if (each.summary == volume.summary && each.pictured == pictured && made->moment == moment)
-    {
-      return {nullptr, made};
-    }
-  }
-  BeamVolume without;
-  without.site = site;
-  without.moment = moment;
-  without.start = volume.start;
-  without.end = volume.end;
-  without.synthetic = volume.synthetic;
-  if (pictured)
-  {
-    without.composite = CompositeOf(volume.summary->composite);
-    without.lowest = CompositeOf(volume.summary->lowest);
-  }
-  auto made = std::make_shared<const BeamVolume>(std::move(without));
-  sweepless.push_back({volume.summary, pictured, made});
-  return {nullptr, made};
 }
 
 } // namespace nexrad

@@ -3,10 +3,10 @@
 
 #include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/Grid/VoxelBlock.h"
-#include "nexrad/Merging/MergeRules.h"
+#include "nexrad/Merging/MergeOptions.h"
 #include "nexrad/Motion/MotionTracker.h"
 #include "nexrad/Polar/PolarVolume.h"
-#include "nexrad/Series/SiteSeries.h"
+#include "nexrad/Series/Catalogue.h"
 #include "nexrad/System/Progress.h"
 
 #include <memory>
@@ -25,6 +25,9 @@ struct MergeRequest : MergeRules
   std::optional<VoxelBlock> block; ///< the part of the grid that is made, as it is in the whole
 };
 
+/// The merges that options ask for, but for grid and time. `loop` runs their rows.
+MergeRequest MergeRequestOf(const MergeOptions& options, const RangeLoop& loop);
+
 /// A moment of a volume in the form that a method takes; the other is empty.
 struct ReadyVolume
 {
@@ -35,16 +38,13 @@ struct ReadyVolume
   const std::string& RadarName() const { return beam ? beam->site.name : polar->site.name; }
 };
 
+/// Whether a request's merge searches reflectivity for its motion.
+bool LooksForMotion(const MergeRequest& request, MomentName moment);
+
 /// Makes a volume ready for a request, whatever its time. As long as the grid is not known, a
 /// request without means does: the merge makes what is missing.
 ReadyVolume MakeReady(
   const std::shared_ptr<const PolarVolume>& volume, const MergeRequest& request);
-
-/// Indices of the volumes of one site that a request takes, from their starts, which ascend, and
-/// ends: for Thesis FindBracket, for Beam FindVolumesAbout. A volume that started at or before the
-/// time and is not taken is not taken at any later time either.
-std::vector<std::size_t> ChooseVolumes(
-  const std::vector<Time>& starts, const std::vector<Time>& ends, const MergeRequest& request);
 
 /// What merges at several times of one grid share: the radars' geometry, the volumes of the last
 /// one made ready, and what their motion was found from. A run passes one object to all its merges,
@@ -55,37 +55,20 @@ public:
   /// The merger for the request's grid and options: the one before, when they are the same.
   BeamMerger& MergerFor(const MergeRequest& request);
 
-  /// A volume without sweeps, for a radar that does not reach the request's block. It takes part in
-  /// the motion estimate by the volume's summary; in Thesis it only names the radar.
-  ReadyVolume WithoutSweeps(
-    const Site& site, const SeriesVolume& volume, const MergeRequest& request, MomentName moment);
-
   /// The motion along which the request asks to interpolate between volumes that MergerFor's merger
   /// made ready; nullptr for none.
   std::shared_ptr<const MotionField> MotionFor(
     const BeamVolumes& volumes, const MergeRequest& request);
 
 private:
-  struct SweeplessVolume
-  {
-    std::shared_ptr<const VolumeSummary> summary;
-    bool pictured;                          // has the summary's picture
-    std::weak_ptr<const BeamVolume> volume; // as long as a merge or the tracker holds it
-  };
-
   std::unique_ptr<BeamMerger> merger;
   std::unique_ptr<MotionTracker> tracker; // for the merger's grid
-  std::vector<SweeplessVolume> sweepless;
 };
 
-/// Merges volumes of any number of sites, in any order: for each site those about the time (for
-/// Thesis FindBracket, for Beam FindVolumesAbout). A site with none in reach takes no part; without
-/// any, no voxel is scanned. Empty when `progress` asked to stop. Throws Error as the method does.
-std::optional<GriddedVolume> MergeVolumes(const std::vector<const PolarVolume*>& volumes,
-  const MergeRequest& request, const Progress& progress = {}, MergeRun* run = nullptr);
-
-/// The same for volumes made ready for this request, or but for means, which have been chosen.
-/// `memory` is a volume that is no longer needed: its arrays become those of the result.
+/// Merges volumes of any number of sites that were chosen for the time and made ready for this
+/// request, or but for means. A site with none takes no part; without any, no voxel is scanned.
+/// `memory` is a volume that is no longer needed: its arrays become those of the result. Empty when
+/// `progress` asked to stop. Throws Error as the method does.
 std::optional<GriddedVolume> MergeVolumes(const std::vector<ReadyVolume>& volumes,
   const MergeRequest& request, const Progress& progress, MergeRun& run, GriddedVolume memory = {});
 

@@ -163,39 +163,22 @@ void VolumeCache::Keep(const VoxelBlock& block, const GriddedVolume& volume)
   }
   Packer packer;
   ForEachArray(volume, [&](const auto& values) { packer.Add(values); });
-  std::vector<std::uint8_t> arrays = std::move(packer).Bytes();
-  if (arrays.size() > limit)
-  {
-    return;
-  }
-  while (used + arrays.size() > limit)
-  {
-    used -= entries.back().arrays.size();
-    entries.pop_back();
-  }
-  used += arrays.size();
-  entries.push_front({block, DescriptionOf(volume), std::move(arrays)});
+  Packed packed{DescriptionOf(volume), std::move(packer).Bytes()};
+  const std::size_t bytes = packed.arrays.size();
+  entries.Keep({volume.time, block}, std::make_shared<const Packed>(std::move(packed)), bytes);
 }
 
 std::optional<GriddedVolume> VolumeCache::Find(const VoxelBlock& block, Time time)
 {
-  const auto found = std::find_if(entries.begin(), entries.end(),
-    [&](const Entry& entry) { return entry.description.time == time && entry.block == block; });
-  if (found == entries.end())
+  const auto packed = entries.Find({time, block});
+  if (!packed)
   {
     return std::nullopt;
   }
-  entries.splice(entries.begin(), entries, found);
-  GriddedVolume volume = found->description;
-  Unpacker unpacker(found->arrays);
+  GriddedVolume volume = (*packed)->description;
+  Unpacker unpacker((*packed)->arrays);
   ForEachArray(volume, [&](auto& values) { unpacker.Fill(values); });
   return volume;
-}
-
-void VolumeCache::Clear()
-{
-  entries.clear();
-  used = 0;
 }
 
 } // namespace nexrad

@@ -3,11 +3,13 @@
 
 #include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/Grid/VoxelBlock.h"
+#include "nexrad/Merging/KeptValues.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <list>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace nexrad
@@ -22,6 +24,7 @@ public:
   /// `limit` in bytes; 0 keeps nothing.
   explicit VolumeCache(std::size_t theLimit)
     : limit(theLimit)
+    , entries(theLimit)
   {
   }
 
@@ -32,22 +35,20 @@ public:
   /// The volume of a block at a time, bit by bit as it was kept; empty when it is not kept.
   std::optional<GriddedVolume> Find(const VoxelBlock& block, Time time);
 
-  void Clear();
+  void Clear() { entries.Clear(); }
 
   /// Bytes that the volumes take, at most the limit.
-  std::size_t Used() const { return used; }
+  std::size_t Used() const { return entries.Used(); }
 
 private:
-  struct Entry
+  struct Packed
   {
-    VoxelBlock block;
     GriddedVolume description; ///< the volume without its arrays
     std::vector<std::uint8_t> arrays;
   };
 
   const std::size_t limit;
-  std::list<Entry> entries; ///< the one asked for last stands first
-  std::size_t used = 0;
+  KeptValues<std::pair<Time, VoxelBlock>, std::shared_ptr<const Packed>> entries;
 };
 
 } // namespace nexrad

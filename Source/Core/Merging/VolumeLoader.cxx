@@ -35,17 +35,14 @@ VolumeLoader::VolumeLoader(SeriesFiles series, SeriesOptions theOptions, LoaderW
   , work(std::move(theWork))
   , cache(std::move(theCache))
   , threadCount(std::max(1U, theThreadCount))
+  , sites(std::move(series.sites))
   , files(paths.size())
   , looksAhead(cache == nullptr)
 {
-  for (std::size_t index = 0; index < paths.size(); ++index)
+  catalogue.sites.resize(sites.size());
+  for (std::size_t site = 0; site < sites.size(); ++site)
   {
-    indices.emplace(paths[index], index);
-  }
-  for (std::size_t site = 0; site < series.sites.size(); ++site)
-  {
-    sites.push_back({std::move(series.sites[site]), {}});
-    for (const TimedFile& file : sites.back().list.files)
+    for (const TimedFile& file : sites[site].files)
     {
       files[file.index].site = site;
       files[file.index].time = file.time;
@@ -152,11 +149,12 @@ std::vector<VolumeLoader::HeldVolume> VolumeLoader::FindKept(const ScannedFile& 
     held.push_back({volume, {}});
     for (const MomentName moment : moments)
     {
-      const PolarCache::Volume kept =
-        cache && volume.Has(moment) ? cache->Find(volume, moment) : nullptr;
+      const auto kept = cache && volume.Has(moment)
+                          ? cache->Find({moment, volume.cycle, volume.file})
+                          : std::nullopt;
       if (kept)
       {
-        held.back().ready.push_back(work.prepare(kept));
+        held.back().ready.push_back(work.prepare(*kept));
       }
       else if (volume.Has(moment))
       {
@@ -180,7 +178,7 @@ std::vector<VolumeLoader::HeldVolume> VolumeLoader::Load(std::size_t index, Scan
   {
     if (cache)
     {
-      cache->Keep(description, polar);
+      cache->Keep({polar->moment, description.cycle, description.file}, polar, MemoryOf(*polar));
     }
     if (held.empty() || held.back().volume.cycle != description.cycle)
     {
@@ -215,7 +213,7 @@ void VolumeLoader::Keep(std::size_t index, ScannedFile scanned, std::vector<Held
   {
     file.known = true;
     file.scanned = std::move(scanned);
-    this->Learn(sites[file.site], file.scanned);
+    this->LearnFile(index, file.scanned);
   }
   else if (TellsEcho(scanned) && !TellsEcho(file.scanned))
   {
@@ -223,20 +221,17 @@ void VolumeLoader::Keep(std::size_t index, ScannedFile scanned, std::vector<Held
   }
 }
 
-// Called with the lock. Of two volumes with the same first ray the one with more rays stays, as in
-// a scan.
-void VolumeLoader::Learn(SiteFiles& site, const ScannedFile& scanned)
+// Called with the lock.
+void VolumeLoader::LearnFile(std::size_t index, const ScannedFile& scanned)
 {
-  for (const auto& [of, volume] : scanned.volumes)
+  SiteSeries& series = catalogue.sites[files[index].site];
+  for (const auto& [site, volume] : scanned.volumes)
   {
-    site.volumes.push_back(volume);
+    series.site = series.volumes.empty() ? site : series.site;
+    SeriesVolume own = volume;
+    own.input = index;
+    series.Put(own);
   }
-  std::sort(site.volumes.begin(), site.volumes.end(),
-    [this](const SeriesVolume& a, const SeriesVolume& b)
-    { return IsBefore(a, b) || (!IsBefore(b, a) && indices.at(a.file) < indices.at(b.file)); });
-  const auto same = [](const SeriesVolume& a, const SeriesVolume& b) { return a.start == b.start; };
-  site.volumes.erase(
-    std::unique(site.volumes.begin(), site.volumes.end(), same), site.volumes.end());
 }
 
 // Called with the lock.
@@ -290,16 +285,16 @@ void VolumeLoader::EndAt(Time time)
   lastTime = time;
 }
 
-void VolumeLoader::Learn(const std::vector<std::optional<ScannedFile>>& known)
+void VolumeLoader::Learn(const std::vector<ScannedFile>& known)
 {
   const std::lock_guard<std::mutex> lock(mutex);
   for (std::size_t index = 0; index < known.size(); ++index)
   {
-    if (known[index] && !files[index].known)
+    if (!IsUnknown(known[index]) && !files[index].known)
     {
       files[index].known = true;
-      files[index].scanned = *known[index];
-      this->Learn(sites[files[index].site], files[index].scanned);
+      files[index].scanned = known[index];
+      this->LearnFile(index, files[index].scanned);
     }
   }
 }
@@ -327,27 +322,11 @@ ScannedFile VolumeLoader::Scan(std::size_t index)
   return files[index].scanned;
 }
 
-// Called with the lock. How many volumes that start after a time it may need, where all that
-// started before it are known: two when none of those is chosen, else one.
-std::size_t VolumeLoader::LaterNeeded(const SiteFiles& site, MomentName moment, Time time) const
+// Called with the lock. Whether a time takes some volume that started by then.
+bool VolumeLoader::TakesStarted(std::size_t site, MomentName moment, Time time) const
 {
-  std::vector<Time> starts;
-  std::vector<Time> ends;
-  for (const SeriesVolume& volume : site.volumes)
-  {
-    if (volume.start <= time && volume.Has(moment))
-    {
-      starts.push_back(volume.start);
-      ends.push_back(volume.end);
-    }
-  }
-  return work.choose(starts, ends, time).empty() ? 2 : 1;
-}
-
-VolumeChoice VolumeLoader::ChoiceAt(Time time) const
-{
-  return [this, time](const std::vector<Time>& starts, const std::vector<Time>& ends)
-  { return work.choose(starts, ends, time); };
+  const auto chosen = catalogue.sites[site].ChosenAt(time, work.rule, moment);
+  return !chosen.empty() && chosen.front()->start <= time;
 }
 
 // Called with the lock. Asks for the files about a time of which it is not known what they hold of
@@ -355,9 +334,9 @@ VolumeChoice VolumeLoader::ChoiceAt(Time time) const
 // it, all up to those that hold as many later volumes as are needed (one, until all before the time
 // are known), and those whose headers have the same time as the last one's. True when nothing had
 // to be asked for.
-bool VolumeLoader::KnowsAbout(const SiteFiles& site, MomentName moment, Time time)
+bool VolumeLoader::KnowsAbout(std::size_t site, MomentName moment, Time time)
 {
-  const std::vector<TimedFile>& own = site.list.files;
+  const std::vector<TimedFile>& own = sites[site].files;
   const auto isOwn = [moment](const auto& each) { return each.second.Has(moment); };
   const auto isLater = [=](const auto& each) { return isOwn(each) && each.second.start > time; };
   bool there = true;
@@ -385,7 +364,7 @@ bool VolumeLoader::KnowsAbout(const SiteFiles& site, MomentName moment, Time tim
   {
     started += look(own[place - 1], 0) ? 1 : 0;
   }
-  const std::size_t needed = there ? this->LaterNeeded(site, moment, time) : 1;
+  const std::size_t needed = there && !this->TakesStarted(site, moment, time) ? 2 : 1;
   std::optional<Time> last = later >= needed ? std::optional(time) : std::nullopt;
   for (std::size_t place = next; place < own.size() && !(last && own[place].time > *last); ++place)
   {
@@ -404,7 +383,7 @@ bool VolumeLoader::KnowsAbout(Time time)
   {
     for (std::size_t site = 0; site < sites.size(); ++site)
     {
-      known = (!this->IsWanted(site) || this->KnowsAbout(sites[site], moment, time)) && known;
+      known = (!this->IsWanted(site) || this->KnowsAbout(site, moment, time)) && known;
     }
   }
   return known;
@@ -413,7 +392,7 @@ bool VolumeLoader::KnowsAbout(Time time)
 // Called with the lock. nullptr when the volume is not held.
 VolumeLoader::HeldVolume* VolumeLoader::FindHeld(const SeriesVolume& volume)
 {
-  std::vector<HeldVolume>& held = files[indices.at(volume.file)].held;
+  std::vector<HeldVolume>& held = files[volume.input].held;
   const auto found = std::find_if(held.begin(), held.end(),
     [&volume](const HeldVolume& each) { return each.volume.cycle == volume.cycle; });
   return found == held.end() ? nullptr : &*found;
@@ -421,28 +400,18 @@ VolumeLoader::HeldVolume* VolumeLoader::FindHeld(const SeriesVolume& volume)
 
 // Called with the lock. The volumes that a time needs, when it is known what the files about it
 // hold.
-std::vector<VolumeLoader::Need> VolumeLoader::ChosenAt(Time time) const
+std::vector<ChosenVolume> VolumeLoader::ChosenAt(Time time) const
 {
-  std::vector<Need> chosen;
-  for (const MomentName moment : moments)
-  {
-    for (std::size_t site = 0; site < sites.size(); ++site)
-    {
-      if (this->IsWanted(site))
-      {
-        for (const auto* volume : ChooseWith(moment, sites[site].volumes, this->ChoiceAt(time)))
-        {
-          chosen.push_back({moment, volume});
-        }
-      }
-    }
-  }
+  std::vector<ChosenVolume> chosen = catalogue.ChosenAt(time, work.rule, moments);
+  chosen.erase(std::remove_if(chosen.begin(), chosen.end(),
+                 [this](const ChosenVolume& each) { return !this->IsWanted(each.site); }),
+    chosen.end());
   return chosen;
 }
 
 // Called with the lock. The volumes that a time needs; empty, and asked for, while some are not
 // there.
-std::optional<std::vector<VolumeLoader::Need>> VolumeLoader::Demand(Time time)
+std::optional<std::vector<ChosenVolume>> VolumeLoader::Demand(Time time)
 {
   reached = time;
   const bool known = this->KnowsAbout(time);
@@ -451,13 +420,13 @@ std::optional<std::vector<VolumeLoader::Need>> VolumeLoader::Demand(Time time)
   {
     return std::nullopt;
   }
-  std::vector<Need> needed = this->ChosenAt(time);
+  std::vector<ChosenVolume> needed = this->ChosenAt(time);
   bool there = true;
-  for (const Need& need : needed)
+  for (const ChosenVolume& need : needed)
   {
     if (this->FindHeld(*need.volume) == nullptr)
     {
-      const std::size_t index = indices.at(need.volume->file);
+      const std::size_t index = need.volume->input;
       files[index].state = files[index].state == State::Done ? State::Waiting : files[index].state;
       this->Want(index);
       there = false;
@@ -474,7 +443,7 @@ std::optional<std::vector<ReadyVolume>> VolumeLoader::About(
   farthest = time < current ? std::nullopt : farthest;
   looksAhead = looksAhead || (current != Time::min() && time != current);
   current = time;
-  std::optional<std::vector<Need>> needed;
+  std::optional<std::vector<ChosenVolume>> needed;
   const auto allThere = [&]
   {
     needed = this->Demand(time);
@@ -485,38 +454,41 @@ std::optional<std::vector<ReadyVolume>> VolumeLoader::About(
     return std::nullopt;
   }
   std::vector<ReadyVolume> volumes;
-  Choice& choice = choices[time];
-  choice.clear();
-  for (const auto& [moment, volume] : *needed)
+  for (const auto& [moment, site, volume] : *needed)
   {
     HeldVolume& held = *this->FindHeld(*volume);
     held.used = true;
     volumes.push_back(held.Of(moment));
-    choice.emplace_back(moment, volume->file, volume->cycle);
   }
+  made[time] = catalogue.MadeOf(time, work.rule, moments);
   this->Release(time, *needed);
   changed.notify_all(); // more may be decoded ahead
   return volumes;
 }
 
-std::optional<std::vector<std::pair<std::string, SeriesVolume>>> VolumeLoader::KnownAbout(
+// Called with the lock. Whether it is known what the files about a time hold, of all sites; nothing
+// is decoded ahead of this time.
+bool VolumeLoader::KnowsWithoutLoading(Time time)
+{
+  wantedSites.clear();
+  const std::optional<Time> reachedBefore = reached;
+  const bool known = this->KnowsAbout(time);
+  reached = reachedBefore;
+  return known;
+}
+
+std::optional<std::vector<std::pair<std::string, Time>>> VolumeLoader::KnownAbout(
   Time time, MomentName moment)
 {
   const std::lock_guard<std::mutex> lock(mutex);
-  const std::optional<Time> reachedBefore = reached;
-  const bool known = this->KnowsAbout(time);
-  reached = reachedBefore; // nothing is decoded ahead of this time
-  if (!known)
+  if (!this->KnowsWithoutLoading(time))
   {
     return std::nullopt;
   }
-  std::vector<std::pair<std::string, SeriesVolume>> volumes;
-  for (const SiteFiles& site : sites)
+  std::vector<std::pair<std::string, Time>> volumes;
+  for (const ChosenVolume& each : catalogue.ChosenAt(time, work.rule, {moment}))
   {
-    for (const auto* volume : ChooseWith(moment, site.volumes, this->ChoiceAt(time)))
-    {
-      volumes.emplace_back(site.list.name, *volume);
-    }
+    volumes.emplace_back(catalogue.sites[each.site].site.name, each.volume->start);
   }
   return volumes;
 }
@@ -524,31 +496,22 @@ std::optional<std::vector<std::pair<std::string, SeriesVolume>>> VolumeLoader::K
 std::optional<std::size_t> VolumeLoader::CountAbout(Time time)
 {
   const std::lock_guard<std::mutex> lock(mutex);
-  wantedSites.clear();
-  const std::optional<Time> reachedBefore = reached;
-  const bool known = this->KnowsAbout(time);
-  reached = reachedBefore; // nothing is decoded ahead of this time
-  if (!known)
+  if (!this->KnowsWithoutLoading(time))
   {
     return std::nullopt;
   }
-  Choice& choice = choices[time];
-  choice.clear();
-  for (const auto& [moment, volume] : this->ChosenAt(time))
-  {
-    choice.emplace_back(moment, volume->file, volume->cycle);
-  }
-  return choice.size();
+  made[time] = catalogue.MadeOf(time, work.rule, moments);
+  return this->ChosenAt(time).size();
 }
 
 // Called with the lock. Drops what the time did not need, but for what was decoded ahead of it, and
 // for what Scan asked for and no time needed yet.
-void VolumeLoader::Release(Time time, const std::vector<Need>& needed)
+void VolumeLoader::Release(Time time, const std::vector<ChosenVolume>& needed)
 {
   const auto isNeeded = [&needed](const HeldVolume& held)
   {
     return std::any_of(needed.begin(), needed.end(),
-      [&held](const Need& need)
+      [&held](const ChosenVolume& need)
       { return need.volume->cycle == held.volume.cycle && need.volume->file == held.volume.file; });
   };
   // Files of several radars may have the time of the last one ahead.
@@ -570,13 +533,13 @@ void VolumeLoader::Release(Time time, const std::vector<Need>& needed)
   }
 }
 
-std::vector<std::optional<ScannedFile>> VolumeLoader::Known() const
+std::vector<ScannedFile> VolumeLoader::Known() const
 {
   const std::lock_guard<std::mutex> lock(mutex);
-  std::vector<std::optional<ScannedFile>> known;
+  std::vector<ScannedFile> known;
   for (const File& file : files)
   {
-    known.push_back(file.known ? std::optional(file.scanned) : std::nullopt);
+    known.push_back(file.known ? file.scanned : ScannedFile());
   }
   return known;
 }
@@ -584,16 +547,16 @@ std::vector<std::optional<ScannedFile>> VolumeLoader::Known() const
 bool VolumeLoader::HeadersErr() const
 {
   const std::lock_guard<std::mutex> lock(mutex);
-  for (const SiteFiles& site : sites)
+  for (const SiteFileList& site : sites)
   {
     Time latest = Time::min();
-    for (const TimedFile& each : site.list.files)
+    for (const TimedFile& each : site.files)
     {
       for (const auto& [of, volume] : files[each.index].scanned.volumes)
       {
         const Duration error = volume.start - each.time;
         const bool first = &volume == &files[each.index].scanned.volumes.front().second;
-        if (volume.start < latest || (!of.name.empty() && of.name != site.list.name) ||
+        if (volume.start < latest || (!of.name.empty() && of.name != site.name) ||
             (first && (error > largestHeaderError || -error > largestHeaderError)))
         {
           return true;
@@ -603,33 +566,6 @@ bool VolumeLoader::HeadersErr() const
     }
   }
   return false;
-}
-
-bool VolumeLoader::IsAsIn(const SeriesScan& scan) const
-{
-  const std::lock_guard<std::mutex> lock(mutex);
-  for (const auto& [time, choice] : choices)
-  {
-    Choice expected;
-    for (const MomentName moment : moments)
-    {
-      for (const SiteSeries& series : scan.sites)
-      {
-        for (const auto* volume : ChooseWith(moment, series.volumes, this->ChoiceAt(time)))
-        {
-          expected.emplace_back(moment, volume->file, volume->cycle);
-        }
-      }
-    }
-    Choice own = choice;
-    std::sort(own.begin(), own.end());
-    std::sort(expected.begin(), expected.end());
-    if (own != expected)
-    {
-      return false;
-    }
-  }
-  return true;
 }
 
 } // namespace nexrad

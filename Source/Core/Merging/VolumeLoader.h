@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Merging/PolarCache.h"
+#include "nexrad/Merging/KeptValues.h"
 #include "nexrad/Merging/TimeMerge.h"
-#include "nexrad/Series/FileList.h"
+#include "nexrad/Series/InputFiles.h"
 #include "nexrad/Series/ScannedFile.h"
 #include "nexrad/System/RangeLoop.h"
 
@@ -30,15 +30,16 @@ namespace nexrad
 /// while a volume is merged, few enough to need little memory.
 constexpr std::size_t FilesAhead = 3;
 
+/// Moments of volumes that were decoded, by moment, cycle and file.
+using PolarCache = KeptValues<std::tuple<MomentName, std::size_t, std::filesystem::path>,
+  std::shared_ptr<const PolarVolume>>;
+
 /// What a VolumeLoader does with the volumes.
 struct LoaderWork
 {
   /// Makes a moment of a volume ready. Called from several threads at once.
   std::function<ReadyVolume(const std::shared_ptr<const PolarVolume>&)> prepare;
-  /// Which of a site's volumes are needed at a time, from their starts, which ascend, and ends.
-  std::function<std::vector<std::size_t>(
-    const std::vector<Time>& starts, const std::vector<Time>& ends, Time time)>
-    choose;
+  VolumeRule rule; ///< by which the volumes of a time are chosen
 };
 
 /// The files of a series, by radar and time.
@@ -46,8 +47,8 @@ struct SeriesFiles
 {
   std::vector<std::filesystem::path> paths;
   std::vector<SiteFileList> sites; ///< by name
-  std::vector<std::optional<ScannedFile>>
-    known; ///< what each path holds, where that is known; may be empty
+  std::vector<ScannedFile> known;  ///< what each path holds; IsUnknown where nobody knows; may be
+                                   ///< empty
 };
 
 /// The volumes about any time, made ready for a merge. Files are decoded on threads of their own:
@@ -55,7 +56,7 @@ struct SeriesFiles
 ///
 /// What is needed at a time is decided by the rays of the files about it; which files lie about it,
 /// by the times that SeriesFiles has for them. Where these are those of the files' headers, a
-/// header that errs may hide a volume: IsAsIn and HeadersErr find that out. What a time needs does
+/// header that errs may hide a volume: Made and HeadersErr tell. What a time needs does
 /// not depend on the times asked for before. When times ascend, each file is decoded once, and
 /// memory does not grow with the length of the day; when they do not, a file is taken from the
 /// cache, or decoded again. With a cache nothing is decoded ahead of the first time, whose volume
@@ -89,20 +90,19 @@ public:
   std::optional<std::vector<ReadyVolume>> About(
     Time time, const std::vector<bool>& wanted = {}, const Progress& progress = {});
 
-  /// The volumes with a moment that About gives at a time, by description; nothing is loaded.
+  /// Radars and starts of the volumes with a moment that About gives at a time; nothing is loaded.
   /// Empty as long as it is not known what the files about the time hold, which About finds out.
-  std::optional<std::vector<std::pair<std::string, SeriesVolume>>> KnownAbout(
-    Time time, MomentName moment);
+  std::optional<std::vector<std::pair<std::string, Time>>> KnownAbout(Time time, MomentName moment);
 
   /// Decides what a time needs, as About does, without loading the volumes, and returns how many
   /// they are. Empty as long as it is not known what the files about the time hold.
   std::optional<std::size_t> CountAbout(Time time);
 
-  /// What each path holds, as far as it is known.
-  std::vector<std::optional<ScannedFile>> Known() const;
+  /// What each path holds, as far as it is known; else IsUnknown.
+  std::vector<ScannedFile> Known() const;
 
   /// Tells what files hold, in the order of the paths; what is known of a file already stays.
-  void Learn(const std::vector<std::optional<ScannedFile>>& known);
+  void Learn(const std::vector<ScannedFile>& known);
 
   /// How many times a file was decoded.
   std::size_t DecodedFiles() const { return decodedFiles; }
@@ -111,8 +111,8 @@ public:
   /// not begin near the header's time, in the order of the headers.
   bool HeadersErr() const;
 
-  /// True when at each time so far the choice was the one that a scan of all files leads to.
-  bool IsAsIn(const SeriesScan& scan) const;
+  /// What each time so far is made of (Catalogue::MadeOf), by the files that were known then.
+  const std::map<Time, std::string>& Made() const { return made; }
 
 private:
   struct HeldVolume
@@ -140,19 +140,6 @@ private:
     ScannedFile scanned;
     std::vector<HeldVolume> held;
   };
-  struct SiteFiles
-  {
-    SiteFileList list;
-    std::vector<SeriesVolume> volumes; ///< of the files that are known, by start, no two alike
-  };
-  /// A volume that a time needs, for one moment.
-  struct Need
-  {
-    MomentName moment;
-    const SeriesVolume* volume;
-  };
-  /// Moment, file and cycle of each.
-  using Choice = std::vector<std::tuple<MomentName, std::filesystem::path, std::size_t>>;
 
   void Work();
   std::optional<std::size_t> NextFile();
@@ -160,18 +147,18 @@ private:
   std::vector<TimedFile>::const_iterator EndOfAhead(Time time) const;
   std::vector<HeldVolume> Load(std::size_t index, ScannedFile& scanned);
   void Keep(std::size_t index, ScannedFile scanned, std::vector<HeldVolume> held);
-  void Learn(SiteFiles& site, const ScannedFile& scanned);
+  void LearnFile(std::size_t index, const ScannedFile& scanned);
   void Want(std::size_t index);
   bool IsWanted(std::size_t site) const;
   std::vector<HeldVolume> FindKept(const ScannedFile& scanned);
-  std::size_t LaterNeeded(const SiteFiles& site, MomentName moment, Time time) const;
-  bool KnowsAbout(const SiteFiles& site, MomentName moment, Time time);
+  bool TakesStarted(std::size_t site, MomentName moment, Time time) const;
+  bool KnowsAbout(std::size_t site, MomentName moment, Time time);
   bool KnowsAbout(Time time);
-  VolumeChoice ChoiceAt(Time time) const;
-  std::vector<Need> ChosenAt(Time time) const;
+  bool KnowsWithoutLoading(Time time);
+  std::vector<ChosenVolume> ChosenAt(Time time) const;
   HeldVolume* FindHeld(const SeriesVolume& volume);
-  std::optional<std::vector<Need>> Demand(Time time);
-  void Release(Time time, const std::vector<Need>& needed);
+  std::optional<std::vector<ChosenVolume>> Demand(Time time);
+  void Release(Time time, const std::vector<ChosenVolume>& needed);
   bool WaitFor(std::unique_lock<std::mutex>& lock, const std::function<bool()>& there,
     const Progress& progress = {});
 
@@ -181,13 +168,13 @@ private:
   const LoaderWork work;
   const std::shared_ptr<PolarCache> cache;
   const unsigned threadCount;
-  std::map<std::filesystem::path, std::size_t> indices;
+  const std::vector<SiteFileList> sites;
   std::atomic<std::size_t> decodedFiles{0};
 
   mutable std::mutex mutex; // guards all that follows but the threads
   std::condition_variable changed;
-  std::vector<File> files; // by index
-  std::vector<SiteFiles> sites;
+  std::vector<File> files;        // by index
+  Catalogue catalogue;            // of the files that are known, its radars as in `sites`
   std::deque<std::size_t> wanted; // to be decoded first
   std::vector<bool> wantedSites;  // by the last time; empty: all
   std::vector<TimedFile> order;   // all, by time
@@ -199,7 +186,7 @@ private:
   bool looksAhead;                // a file is decoded before a time needs it
   bool stopped = false;
   std::exception_ptr failure;
-  std::map<Time, Choice> choices;
+  std::map<Time, std::string> made;
   ThreadGroup threads;
 };
 

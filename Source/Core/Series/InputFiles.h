@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "nexrad/Model/Time.h"
+#include "nexrad/System/Error.h"
+
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -9,6 +13,19 @@
 
 namespace nexrad
 {
+
+/// The inputs cannot be used: one of them does not exist, or none holds a volume that can be used.
+class InputError : public Error
+{
+public:
+  InputError(const std::string& what, bool missing)
+    : Error(what)
+    , isMissing(missing)
+  {
+  }
+
+  const bool isMissing; ///< an input does not exist
+};
 
 /// What is wrong with one input: damage, or why it could not be used.
 struct InputProblem
@@ -40,5 +57,26 @@ bool IsChunkFolder(const std::filesystem::path& path);
 /// with a dot are passed over. A path that is given twice counts once. Throws InputError for a path
 /// that does not exist and for a folder without a file.
 InputFiles FindInputFiles(const std::vector<std::filesystem::path>& inputs);
+
+/// A file by what its header says of it.
+struct TimedFile
+{
+  std::size_t index = 0; ///< in the list of paths
+  Time time{};           ///< in the header; near the first ray's, as a rule
+};
+
+/// The files of one radar by what their headers say.
+struct SiteFileList
+{
+  std::string name;             ///< of the radar; the rays may know better
+  std::vector<TimedFile> files; ///< by time, then as they were given; never empty
+};
+
+/// Which files belong to which radar and time, from their first bytes: enough to decode them in the
+/// order in which they are needed, not to rely on. `siteName`, when not empty, replaces the names
+/// in the files. Empty when a header lacks a time or a name, or cannot be had without decompressing
+/// much.
+std::optional<std::vector<SiteFileList>> ListByHeaders(
+  const std::vector<std::filesystem::path>& paths, const std::string& siteName = {});
 
 } // namespace nexrad

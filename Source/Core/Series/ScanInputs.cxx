@@ -101,51 +101,20 @@ private:
   std::exception_ptr failure;
 };
 
-// `failure` is why nothing was found in this process, of which the others must be told.
-std::optional<SeriesScan> ScanFound(const InputFiles& found, const std::exception_ptr& failure,
-  const SeriesOptions& options, const VolumeVisitor& visitor, const Progress& progress)
-{
-  const auto scan = [&](const std::vector<std::filesystem::path>& paths)
-  {
-    if (failure)
-    {
-      std::rethrow_exception(failure);
-    }
-    return FileScan(paths, options, visitor).Run(progress);
-  };
-  const std::optional<std::vector<ScannedFile>> files =
-    options.processes.Count() > 1
-      ? ScanTogether(found.paths, options.processes, options.order, scan)
-      : scan(found.paths);
-  if (!files)
-  {
-    return std::nullopt;
-  }
-  return CollectSeries(found.problems, *files);
-}
-
 } // namespace
 
-std::optional<SeriesScan> ScanFiles(const InputFiles& found, const SeriesOptions& options,
-  const VolumeVisitor& visitor, const Progress& progress)
+std::optional<std::vector<ScannedFile>> ScanEach(const std::vector<std::filesystem::path>& paths,
+  const SeriesOptions& options, const VolumeVisitor& visitor, const Progress& progress)
 {
-  return ScanFound(found, nullptr, options, visitor, progress);
+  return FileScan(paths, options, visitor).Run(progress);
 }
 
 std::optional<SeriesScan> ScanInputs(const std::vector<std::filesystem::path>& inputs,
   const SeriesOptions& options, const VolumeVisitor& visitor, const Progress& progress)
 {
-  InputFiles found;
-  std::exception_ptr failure;
-  try
-  {
-    found = FindInputFiles(inputs);
-  }
-  catch (const std::exception&)
-  {
-    failure = std::current_exception();
-  }
-  return ScanFound(found, failure, options, visitor, progress);
+  const InputFiles found = FindInputFiles(inputs);
+  const auto files = ScanEach(found.paths, options, visitor, progress);
+  return files ? std::optional(CollectSeries(found.problems, *files)) : std::nullopt;
 }
 
 } // namespace nexrad

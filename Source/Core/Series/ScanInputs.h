@@ -16,17 +16,14 @@ namespace nexrad
 /// the same first ray the one with more rays stays. Damage, and what was left out, is in
 /// `problems`; `progress` is called from this thread alone. Empty when `progress` asked to stop.
 /// Throws Error as FindInputFiles does.
-///
-/// Several processes scan a part each, of neighbouring times or sites, so that a process finds most
-/// volumes of its part of the day, or of the country, among those that it visited. All get the same
-/// result: also when one of them fails or is asked to stop.
 std::optional<SeriesScan> ScanInputs(const std::vector<std::filesystem::path>& inputs,
   const SeriesOptions& options = {}, const VolumeVisitor& visitor = {},
   const Progress& progress = {});
 
-/// The same for files that FindInputFiles found before, whatever has become of their folders since.
-/// A file that is gone is left out and named in `problems`.
-std::optional<SeriesScan> ScanFiles(const InputFiles& found, const SeriesOptions& options = {},
-  const VolumeVisitor& visitor = {}, const Progress& progress = {});
+/// Decodes each file and says what it holds, in their order. A file that is gone is left out and
+/// named in its problems.
+std::optional<std::vector<ScannedFile>> ScanEach(const std::vector<std::filesystem::path>& paths,
+  const SeriesOptions& options = {}, const VolumeVisitor& visitor = {},
+  const Progress& progress = {});
 
 } // namespace nexrad

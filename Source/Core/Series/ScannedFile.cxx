@@ -322,9 +322,9 @@ std::vector<MomentName> SeriesOptions::Moments() const
   return moments;
 }
 
-bool IsBefore(const SeriesVolume& a, const SeriesVolume& b)
+bool IsUnknown(const ScannedFile& file)
 {
-  return a.start != b.start ? a.start < b.start : a.rays > b.rays;
+  return file.volumes.empty() && file.problems.empty() && file.notes.empty();
 }
 
 bool TellsEcho(const ScannedFile& file)
@@ -393,10 +393,10 @@ SeriesScan CollectSeries(std::vector<InputProblem> problems, const std::vector<S
 {
   SeriesScan scan;
   scan.problems = std::move(problems);
-  std::map<SiteKey, SiteSeries> groups;
   const SitePlaces places(files);
-  for (const ScannedFile& file : files)
+  for (std::size_t input = 0; input < files.size(); ++input)
   {
+    const ScannedFile& file = files[input];
     scan.problems.insert(scan.problems.end(), file.problems.begin(), file.problems.end());
     scan.notes.insert(scan.notes.end(), file.notes.begin(), file.notes.end());
     for (const auto& [site, volume] : file.volumes)
@@ -406,19 +406,19 @@ SeriesScan CollectSeries(std::vector<InputProblem> problems, const std::vector<S
         scan.problems.push_back({volume.file.string(), {}, DescribePlaces(site, *other), true});
         continue;
       }
-      SiteSeries& group = groups[KeyOf(site)];
-      if (!group.site.position)
+      SiteSeries& series = scan.Of(site);
+      if (!series.site.position)
       {
-        group.site = site;
+        series.site = site;
       }
-      group.volumes.push_back(volume);
+      series.volumes.push_back(volume);
+      series.volumes.back().input = input;
     }
   }
-  for (auto& group : groups)
+  for (SiteSeries& series : scan.sites)
   {
-    SortVolumes(group.second, scan.problems);
-    NoteRestarts(group.second.volumes, scan);
-    scan.sites.push_back(std::move(group.second));
+    SortVolumes(series, scan.problems);
+    NoteRestarts(series.volumes, scan);
   }
   return scan;
 }

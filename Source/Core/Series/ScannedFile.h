@@ -5,8 +5,7 @@
 #include "nexrad/Model/RadarVolume.h"
 #include "nexrad/Moments/MomentOptions.h"
 #include "nexrad/Polar/PolarVolume.h"
-#include "nexrad/Series/SiteSeries.h"
-#include "nexrad/System/Processes.h"
+#include "nexrad/Series/Catalogue.h"
 
 #include <filesystem>
 #include <functional>
@@ -19,14 +18,6 @@
 namespace nexrad
 {
 
-/// What the files that one of several processes scans have in common.
-enum class ScanOrder
-{
-  ByTime,      ///< neighbouring times
-  ByLongitude, ///< neighbouring sites from west to east, and their times
-  ByLatitude   ///< neighbouring sites from south to north, and their times
-};
-
 /// What a scan makes of the files; as MomentOptions, how it makes the volumes that visitors get and
 /// that summaries are made of.
 struct SeriesOptions : MomentOptions
@@ -38,8 +29,6 @@ struct SeriesOptions : MomentOptions
   bool lowEchoes = false; ///< make SeriesVolume::lowEcho where REF is among the moments
   bool summaries = false; ///< make the summaries of the volumes, of the moments, one at least
   unsigned threads = 0;   ///< that decode files; 0: as many as there are cores
-  Processes processes;    ///< that scan the inputs together
-  ScanOrder order = ScanOrder::ByTime; ///< of the parts that they scan
 
   /// `moment` and those beside it.
   std::vector<MomentName> Moments() const;
@@ -60,6 +49,9 @@ struct ScannedFile
                                   ///< wrong with it, a line each, with the file
 };
 
+/// True of one that says nothing: what stands for a file of which nothing is known.
+bool IsUnknown(const ScannedFile& file);
+
 /// Whether quality control said of some volume of a file what it found.
 bool TellsEcho(const ScannedFile& file);
 
@@ -70,10 +62,6 @@ ScannedFile ScanFile(
 /// The same of a file that was decoded before, or of a part of it; `path` names it.
 ScannedFile ScanVolume(const RadarVolume& whole, const std::filesystem::path& path,
   const SeriesOptions& options, const VolumeVisitor& visitor);
-
-/// The order of a site's volumes: by their first rays; of two that share it the one that stays,
-/// with more rays, first.
-bool IsBefore(const SeriesVolume& a, const SeriesVolume& b);
 
 /// Says that two radars of one name stand at two places (StandApart): where `site` stands, and
 /// where others of its name do.

@@ -3,6 +3,7 @@
 
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Model/SiteTable.h"
+#include "nexrad/Series/ScanInputs.h"
 #include "nexrad/System/Error.h"
 
 #include <nlohmann/json.hpp>
@@ -12,146 +13,123 @@
 #include <numeric>
 #include <tuple>
 
-namespace nexrad
+// What one process tells another of its files, member by member.
+
+namespace nlohmann
 {
 
-namespace
+template <class Value>
+struct adl_serializer<std::optional<Value>>
+{
+  static void to_json(json& packed, const std::optional<Value>& value)
+  {
+    packed = value ? json(*value) : json();
+  }
+  static void from_json(const json& packed, std::optional<Value>& value)
+  {
+    value = packed.is_null() ? std::nullopt : std::optional(packed.get<Value>());
+  }
+};
+
+template <class Value>
+struct adl_serializer<std::shared_ptr<const Value>>
+{
+  static void to_json(json& packed, const std::shared_ptr<const Value>& value)
+  {
+    packed = value ? json(*value) : json();
+  }
+  static void from_json(const json& packed, std::shared_ptr<const Value>& value)
+  {
+    value = packed.is_null() ? nullptr : std::make_shared<const Value>(packed.get<Value>());
+  }
+};
+
+template <>
+struct adl_serializer<nexrad::Duration>
+{
+  static void to_json(json& packed, nexrad::Duration value) { packed = value.count(); }
+  static void from_json(const json& packed, nexrad::Duration& value)
+  {
+    value = nexrad::Duration(packed.get<nexrad::Duration::rep>());
+  }
+};
+
+template <>
+struct adl_serializer<nexrad::Time>
+{
+  static void to_json(json& packed, nexrad::Time value) { packed = value.time_since_epoch(); }
+  static void from_json(const json& packed, nexrad::Time& value)
+  {
+    value = nexrad::Time(packed.get<nexrad::Duration>());
+  }
+};
+
+template <>
+struct adl_serializer<std::filesystem::path>
+{
+  static void to_json(json& packed, const std::filesystem::path& value) { packed = value.string(); }
+  static void from_json(const json& packed, std::filesystem::path& value)
+  {
+    value = packed.get<std::string>();
+  }
+};
+
+} // namespace nlohmann
+
+namespace nexrad
 {
 
 using Json = nlohmann::json;
 
-// The first byte of a message between processes says how the scan of its sender went.
-constexpr char scanDone = 'd';
-constexpr char scanStopped = 's';
-constexpr char scanFailed = 'f';
-
-Json PackComposite(const PackedComposite& composite)
+// The pictures are long: as bytes.
+void to_json(Json& packed, const PackedComposite& composite)
 {
   std::vector<std::uint8_t> bytes(composite.picture.size() * sizeof(float));
   std::memcpy(bytes.data(), composite.picture.data(), bytes.size());
-  Json tilts = Json::array();
+  packed = {composite.rings, composite.echoTime, composite.echo, Json::array(),
+    Json::binary(std::move(bytes))};
   for (const VolumeComposite::Tilt& tilt : composite.tilts)
   {
-    tilts.push_back({tilt.elevation, tilt.echo});
+    packed[3].push_back({tilt.elevation, tilt.echo});
   }
-  return {{"rings", composite.rings}, {"echoTime", composite.echoTime}, {"echo", composite.echo},
-    {"tilts", std::move(tilts)}, {"picture", Json::binary(std::move(bytes))}};
 }
 
-PackedComposite UnpackComposite(const Json& packed)
+void from_json(const Json& packed, PackedComposite& composite)
 {
-  PackedComposite composite;
-  composite.rings = packed.at("rings");
-  composite.echoTime = packed.at("echoTime");
-  composite.echo = packed.at("echo");
-  for (const Json& tilt : packed.at("tilts"))
+  composite.rings = packed.at(0);
+  composite.echoTime = packed.at(1);
+  composite.echo = packed.at(2);
+  for (const Json& tilt : packed.at(3))
   {
     composite.tilts.push_back({tilt.at(0), tilt.at(1)});
   }
-  const Json::binary_t& bytes = packed.at("picture").get_binary();
+  const Json::binary_t& bytes = packed.at(4).get_binary();
   composite.picture.resize(bytes.size() / sizeof(float));
   std::memcpy(composite.picture.data(), bytes.data(), composite.picture.size() * sizeof(float));
-  return composite;
 }
 
-Json PackSummary(const VolumeSummary& summary)
+void to_json(Json& packed, const LowEcho& echo)
 {
-  return {{"reach", summary.reach}, {"composite", PackComposite(summary.composite)},
-    {"lowest", PackComposite(summary.lowest)}};
+  const std::string bytes = echo.Pack();
+  packed = Json::binary(std::vector<std::uint8_t>(bytes.begin(), bytes.end()));
 }
 
-VolumeSummary UnpackSummary(const Json& packed)
+void from_json(const Json& packed, LowEcho& echo)
 {
-  return {packed.at("reach"), UnpackComposite(packed.at("composite")),
-    UnpackComposite(packed.at("lowest"))};
+  const Json::binary_t& bytes = packed.get_binary();
+  echo = LowEcho::Unpack(std::string(bytes.begin(), bytes.end()));
 }
 
-Json PackVolume(const Site& site, const SeriesVolume& volume)
-{
-  Json packed = {{"site", site.name}, {"file", volume.file.string()}, {"cycle", volume.cycle},
-    {"start", volume.start.time_since_epoch().count()},
-    {"end", volume.end.time_since_epoch().count()}, {"begun", volume.begun},
-    {"left", volume.left.count()}, {"rays", volume.rays}, {"reach", volume.reach},
-    {"synthetic", volume.synthetic}, {"moments", volume.moments}, {"lacking", volume.lacking}};
-  if (site.position)
-  {
-    packed["position"] = {
-      site.position->latitude, site.position->longitude, site.position->altitude};
-  }
-  if (volume.echo)
-  {
-    packed["echo"] = *volume.echo;
-  }
-  if (volume.summary)
-  {
-    packed["summary"] = PackSummary(*volume.summary);
-  }
-  if (volume.lowEcho)
-  {
-    const std::string bytes = volume.lowEcho->Pack();
-    packed["lowEcho"] = Json::binary(std::vector<std::uint8_t>(bytes.begin(), bytes.end()));
-  }
-  return packed;
-}
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VolumeSummary, reach, composite, lowest)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Position, latitude, longitude, altitude)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Site, name, position)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SeriesVolume, file, cycle, start, end, begun, left, rays, reach,
+  synthetic, summary, lowEcho, moments, lacking, echo)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(InputProblem, file, offset, what, leftOut, isMissingEnd)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ScannedFile, volumes, problems, notes)
 
-std::pair<Site, SeriesVolume> UnpackVolume(const Json& packed)
+namespace
 {
-  Site site;
-  site.name = packed.at("site");
-  if (packed.contains("position"))
-  {
-    const Json& position = packed.at("position");
-    site.position = Position{position.at(0), position.at(1), position.at(2)};
-  }
-  SeriesVolume volume;
-  volume.file = packed.at("file").get<std::string>();
-  volume.cycle = packed.at("cycle");
-  volume.start = Time(Duration(packed.at("start").get<Duration::rep>()));
-  volume.end = Time(Duration(packed.at("end").get<Duration::rep>()));
-  volume.begun = packed.at("begun");
-  volume.left = Duration(packed.at("left").get<Duration::rep>());
-  volume.rays = packed.at("rays");
-  volume.reach = packed.at("reach");
-  volume.synthetic = packed.at("synthetic");
-  volume.moments = packed.at("moments").get<std::vector<MomentName>>();
-  volume.lacking = packed.at("lacking").get<std::vector<MomentName>>();
-  if (packed.contains("echo"))
-  {
-    volume.echo = packed.at("echo").get<ReasonCounts>();
-  }
-  if (packed.contains("summary"))
-  {
-    volume.summary = std::make_shared<const VolumeSummary>(UnpackSummary(packed.at("summary")));
-  }
-  if (packed.contains("lowEcho"))
-  {
-    const Json::binary_t& bytes = packed.at("lowEcho").get_binary();
-    volume.lowEcho =
-      std::make_shared<const LowEcho>(LowEcho::Unpack(std::string(bytes.begin(), bytes.end())));
-  }
-  return {site, volume};
-}
-
-Json PackProblem(const InputProblem& problem)
-{
-  return {{"file", problem.file}, {"what", problem.what}, {"leftOut", problem.leftOut},
-    {"isMissingEnd", problem.isMissingEnd},
-    {"offset", problem.offset ? Json(*problem.offset) : Json()}};
-}
-
-InputProblem UnpackProblem(const Json& packed)
-{
-  InputProblem problem;
-  problem.file = packed.at("file");
-  problem.what = packed.at("what");
-  problem.leftOut = packed.at("leftOut");
-  problem.isMissingEnd = packed.at("isMissingEnd");
-  if (!packed.at("offset").is_null())
-  {
-    problem.offset = packed.at("offset").get<std::uint64_t>();
-  }
-  return problem;
-}
 
 // Where a site stands along the axis of an order, degrees; 0 without one, or for an unknown site.
 double PlaceOf(const std::string& site, ScanOrder order)
@@ -182,84 +160,46 @@ std::vector<std::size_t> OrderByHeaders(
   return sorted;
 }
 
-// The scan of this process as a message. Whatever goes wrong becomes a message too: the others wait
-// for it.
-std::string ScanToMessage(const std::function<std::optional<std::vector<ScannedFile>>()>& scan)
-{
-  try
-  {
-    const auto files = scan();
-    return files ? scanDone + PackScannedFiles(*files) : std::string(1, scanStopped);
-  }
-  catch (const std::exception& error)
-  {
-    return scanFailed + std::string(error.what());
-  }
-}
-
 } // namespace
 
 std::optional<std::vector<ScannedFile>> ScanTogether(
   const std::vector<std::filesystem::path>& paths, const Processes& processes, ScanOrder scanOrder,
-  const FileScanner& scan)
+  const SeriesOptions& options, const VolumeVisitor& visitor, const Progress& progress)
 {
   std::vector<std::size_t> order;
+  std::optional<std::vector<ScannedFile>> own;
   const auto scanOwn = [&]
   {
     order = OrderByHeaders(paths, scanOrder);
-    std::vector<std::filesystem::path> own;
+    std::vector<std::filesystem::path> part;
     const auto [begin, end] = processes.Part(paths.size());
     for (std::size_t place = begin; place < end; ++place)
     {
-      own.push_back(paths[order[place]]);
+      part.push_back(paths[order[place]]);
     }
-    return scan(own);
+    own = ScanEach(part, options, visitor, progress);
   };
-  const std::vector<std::string> messages = processes.Exchange(ScanToMessage(scanOwn));
-  std::vector<ScannedFile> files(paths.size());
-  bool stopped = false;
-  for (std::size_t rank = 0; rank < messages.size(); ++rank)
+  processes.Together(scanOwn);
+  if (!processes.InAll(own.has_value()))
   {
-    const char outcome = messages[rank].empty() ? scanFailed : messages[rank].front();
-    if (outcome == scanFailed)
+    return std::nullopt;
+  }
+  std::vector<ScannedFile> files(paths.size());
+  std::size_t place = 0;
+  for (const std::string& message : processes.Exchange(PackScannedFiles(*own)))
+  {
+    for (ScannedFile& file : UnpackScannedFiles(message))
     {
-      throw Error(messages[rank].empty() ? "a process was lost" : messages[rank].substr(1));
-    }
-    stopped = stopped || outcome == scanStopped;
-    const std::vector<ScannedFile> part = outcome == scanDone
-                                            ? UnpackScannedFiles(messages[rank].substr(1))
-                                            : std::vector<ScannedFile>();
-    const auto [begin, end] = processes.PartOf(paths.size(), rank);
-    if (outcome == scanDone && part.size() != end - begin)
-    {
-      throw Error("the processes do not find the same input files; all need the same folders");
-    }
-    for (std::size_t index = 0; index < part.size(); ++index)
-    {
-      files.at(order.at(begin + index)) = part[index];
+      files.at(order.at(place++)) = std::move(file);
     }
   }
-  return stopped ? std::nullopt : std::optional(files);
+  return files;
 }
 
 std::string PackScannedFiles(const std::vector<ScannedFile>& files)
 {
-  Json list = Json::array();
-  for (const ScannedFile& file : files)
-  {
-    Json packed = {{"volumes", Json::array()}, {"problems", Json::array()}, {"notes", file.notes}};
-    for (const auto& [site, volume] : file.volumes)
-    {
-      packed["volumes"].push_back(PackVolume(site, volume));
-    }
-    for (const InputProblem& problem : file.problems)
-    {
-      packed["problems"].push_back(PackProblem(problem));
-    }
-    list.push_back(packed);
-  }
   // Not as text: a file's name need not be UTF-8.
-  const std::vector<std::uint8_t> bytes = Json::to_cbor(list);
+  const std::vector<std::uint8_t> bytes = Json::to_cbor(files);
   return {bytes.begin(), bytes.end()};
 }
 
@@ -267,21 +207,7 @@ std::vector<ScannedFile> UnpackScannedFiles(const std::string& bytes)
 {
   try
   {
-    std::vector<ScannedFile> files;
-    for (const Json& packed : Json::from_cbor(bytes))
-    {
-      ScannedFile& file = files.emplace_back();
-      for (const Json& volume : packed.at("volumes"))
-      {
-        file.volumes.push_back(UnpackVolume(volume));
-      }
-      for (const Json& problem : packed.at("problems"))
-      {
-        file.problems.push_back(UnpackProblem(problem));
-      }
-      file.notes = packed.at("notes").get<std::vector<std::string>>();
-    }
-    return files;
+    return Json::from_cbor(bytes).get<std::vector<ScannedFile>>();
   }
   catch (const Json::exception& error)
   {

@@ -2,9 +2,10 @@
 #pragma once
 
 #include "nexrad/Series/ScannedFile.h"
+#include "nexrad/System/Processes.h"
+#include "nexrad/System/Progress.h"
 
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,16 +13,22 @@
 namespace nexrad
 {
 
-/// Scans the files of this process. Empty when it was asked to stop.
-using FileScanner =
-  std::function<std::optional<std::vector<ScannedFile>>(const std::vector<std::filesystem::path>&)>;
+/// What the files that one of several processes scans have in common.
+enum class ScanOrder
+{
+  ByTime,      ///< neighbouring times
+  ByLongitude, ///< neighbouring sites from west to east, and their times
+  ByLatitude   ///< neighbouring sites from south to north, and their times
+};
 
-/// Scans `paths` by several processes, each a part of neighbouring times or sites by what the
-/// files' headers say, and gives each of them all files in the order of `paths`. Empty everywhere
-/// when one process was asked to stop. Throws Error everywhere when one of them fails.
+/// ScanEach by several processes, which all call it with the same files. Each scans a part of
+/// neighbouring times or sites by what the files' headers say, so that it finds most volumes of its
+/// part of the day, or of the country, among those that it visited. All get the same result: empty
+/// when one of them was asked to stop. Throws Error everywhere when one of them fails.
 std::optional<std::vector<ScannedFile>> ScanTogether(
   const std::vector<std::filesystem::path>& paths, const Processes& processes, ScanOrder order,
-  const FileScanner& scan);
+  const SeriesOptions& options = {}, const VolumeVisitor& visitor = {},
+  const Progress& progress = {});
 
 /// What a process tells the others of the files that it scanned, as bytes.
 std::string PackScannedFiles(const std::vector<ScannedFile>& files);

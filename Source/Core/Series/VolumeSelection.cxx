@@ -76,6 +76,25 @@ std::vector<std::size_t> FindVolumesAbout(
   return about;
 }
 
+std::vector<std::size_t> ChooseVolumes(
+  const std::vector<Time>& starts, const std::vector<Time>& ends, Time time, const VolumeRule& rule)
+{
+  if (!rule.byNominalTimes)
+  {
+    return FindVolumesAbout(starts, ends, time, rule.maximumGap);
+  }
+  const VolumeBracket bracket = FindBracket(starts, time, rule.maximumGap);
+  std::vector<std::size_t> chosen;
+  for (const std::optional<std::size_t>& index : {bracket.before, bracket.after})
+  {
+    if (index)
+    {
+      chosen.push_back(*index);
+    }
+  }
+  return chosen;
+}
+
 std::vector<Time> TimeSteps(Time first, Time last, Duration step)
 {
   constexpr std::int64_t mostSteps = 1'000'000;

@@ -31,6 +31,18 @@ VolumeBracket FindBracket(const std::vector<Time>& starts, Time time, Duration m
 std::vector<std::size_t> FindVolumesAbout(
   const std::vector<Time>& starts, const std::vector<Time>& ends, Time time, Duration maximumGap);
 
+/// Which volumes of a radar take part at a time.
+struct VolumeRule
+{
+  bool byNominalTimes = false; ///< FindBracket, in place of FindVolumesAbout
+  Duration maximumGap{};
+};
+
+/// Indices of the volumes that a rule takes, ascending. A volume that started at or before the time
+/// and is not taken is not taken at any later time either.
+std::vector<std::size_t> ChooseVolumes(const std::vector<Time>& starts,
+  const std::vector<Time>& ends, Time time, const VolumeRule& rule);
+
 /// The multiples of `step` since 1970-01-01 from the first at or after `first` to the last at or
 /// before `last`. Throws Error when the step is not positive, `last` lies before `first`, or the
 /// steps would be more than a million.

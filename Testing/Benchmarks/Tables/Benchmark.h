@@ -3,7 +3,7 @@
 
 #include "Tables/BenchReport.h"
 #include "nexrad/Merging/MergeOptions.h"
-#include "nexrad/Series/SiteSeries.h"
+#include "nexrad/Series/Catalogue.h"
 
 #include <array>
 #include <filesystem>

@@ -38,15 +38,17 @@ std::vector<std::filesystem::path> FilesAbout(
   std::vector<std::filesystem::path> files;
   for (std::size_t site = 0; site < sites; ++site)
   {
-    const std::vector<Time> starts = scan.sites[site].Starts();
-    const auto before = static_cast<std::size_t>(
-      std::upper_bound(starts.begin(), starts.end(), steps.begin) - starts.begin());
-    const auto after = static_cast<std::size_t>(
-      std::upper_bound(starts.begin(), starts.end(), steps.end) - starts.begin());
-    for (std::size_t index = before > spare ? before - spare : 0;
-         index < std::min(after + spare, starts.size()); ++index)
+    const std::vector<SeriesVolume>& volumes = scan.sites[site].volumes;
+    const auto begunBy = [&volumes](Time time)
     {
-      files.push_back(scan.sites[site].volumes[index].file);
+      return static_cast<std::size_t>(std::count_if(volumes.begin(), volumes.end(),
+        [time](const SeriesVolume& volume) { return volume.start <= time; }));
+    };
+    const std::size_t before = begunBy(steps.begin);
+    const std::size_t end = std::min(begunBy(steps.end) + spare, volumes.size());
+    for (std::size_t index = before > spare ? before - spare : 0; index < end; ++index)
+    {
+      files.push_back(volumes[index].file);
     }
   }
   return files;

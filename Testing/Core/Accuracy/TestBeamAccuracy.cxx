@@ -2,6 +2,7 @@
 // Compares the method `beam` and the thesis's method with the synthetic storm: the table of
 // Documentation/Developer/experiments.md. The refraction of the simulated atmosphere varies; the
 // merges assume 4/3.
+#include "DirectMerge.h"
 #include "ScannedDay.h"
 #include "StormFeatures.h"
 #include "Tolerance.h"
@@ -38,7 +39,7 @@ std::optional<GriddedVolume> MergeBeam(const ScannedDay& day, const GridSpecific
   request.grid = grid;
   request.time = day.At();
   request.loop = ThreadLoop(2);
-  return MergeVolumes(day.Volumes(), request);
+  return nexrad::testing::MergeDirectly(day.Volumes(), request);
 }
 
 // What the method `beam` is held to.

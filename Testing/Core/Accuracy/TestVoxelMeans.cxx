@@ -2,6 +2,7 @@
 // What the means over voxels coarser than gates are worth (Formulas G10), for radars of super
 // resolution: on the synthetic storm, whose mean over each voxel is known, and on one real volume,
 // against the mean of all gates in each cell.
+#include "DirectMerge.h"
 #include "ScannedDay.h"
 #include "TestData.h"
 #include "Tolerance.h"
@@ -31,8 +32,8 @@ TruthScore ScoreOf(const ScannedDay& day, const Truth& truth, bool means)
   request.time = day.At();
   request.loop = ThreadLoop(2);
   request.beam.means = means;
-  const TruthScore score =
-    CompareWithTruth(*MergeVolumes(day.Volumes(), request), truth.values, truth.counts);
+  const TruthScore score = CompareWithTruth(
+    *nexrad::testing::MergeDirectly(day.Volumes(), request), truth.values, truth.counts);
   Print(means ? "means" : "gates", truth, score);
   return score;
 }

@@ -92,7 +92,7 @@ TEST_F(LiveMerges, AreThoseOfTheFinishedFilesWhateverTheOrder)
       part.volume.sweeps.resize(1 + random() % 2);
       part.finished = false;
       series.Put({part});
-      series.Merge(*series.Newest());
+      series.Merge(*series.Known().Last());
       series.Put({Whole(path)});
     }
     this->ExpectAsGrid(series);
@@ -113,7 +113,7 @@ TEST_F(LiveMerges, OfSeveralMomentsToo)
     ASSERT_EQ(file.problems.size(), 1U);
     EXPECT_EQ(file.problems[0].what, "no ray has VEL");
   }
-  EXPECT_EQ(series.VolumeCount(), 12U);
+  EXPECT_EQ(series.Known().Spans().size(), 12U);
   this->ExpectAsGrid(series);
 }
 
@@ -126,7 +126,7 @@ TEST_F(LiveMerges, AVolumeInProgressLeavesTheUpperTiltsToTheOneBefore)
   part.volume.sweeps.resize(1);
   part.finished = false;
   series.Put({part});
-  const Time newest = *series.Newest();
+  const Time newest = *series.Known().Last();
   EXPECT_EQ(newest, part.volume.sweeps[0].rays.back().time);
   const std::string inputs = series.InputsAt(newest);
   EXPECT_NE(inputs.find("2006-03-12T18:00:00.000Z"), std::string::npos) << inputs;
@@ -167,12 +167,12 @@ TEST_F(LiveMerges, ForgetWhatNoLaterTimeNeeds)
   {
     series.Put({Whole(path)});
   }
-  EXPECT_EQ(series.VolumeCount(), 12U);
+  EXPECT_EQ(series.Known().Spans().size(), 12U);
   SeriesMerger merger({folder.Path()}, options);
   ASSERT_TRUE(merger.Open());
   const Time from = start + 20min;
   series.Forget(from);
-  EXPECT_LT(series.VolumeCount(), 8U);
+  EXPECT_LT(series.Known().Spans().size(), 8U);
   for (Time time = from; time <= start + 28min; time += 2min)
   {
     EXPECT_TRUE(series.Merge(time)->values == merger.Merge(time)->values) << FormatIso8601(time);
@@ -245,7 +245,7 @@ TEST_F(LiveMerges, ANamesakeFarAwayIsAProblem)
   EXPECT_TRUE(scanned[0].problems[0].leftOut);
   EXPECT_NE(scanned[0].problems[0].what.find("other files have it at 38.810"), std::string::npos)
     << scanned[0].problems[0].what;
-  EXPECT_EQ(series.VolumeCount(), 1U);
+  EXPECT_EQ(series.Known().Spans().size(), 1U);
 }
 
 TEST_F(LiveMerges, WhatCannotBeUsedIsAProblem)
@@ -257,7 +257,7 @@ TEST_F(LiveMerges, WhatCannotBeUsedIsAProblem)
   const auto scanned = series.Put({none});
   ASSERT_FALSE(scanned.at(0).problems.empty());
   EXPECT_EQ(scanned[0].problems.back().what, "no ray could be read: left out");
-  EXPECT_EQ(series.VolumeCount(), 0U);
+  EXPECT_EQ(series.Known().Spans().size(), 0U);
   options.measureBiases = true;
   EXPECT_THROW(LiveSeries(options, {}), Error);
 }
@@ -309,5 +309,5 @@ TEST_F(LiveMerges, ARadarWhoseVolumesAreTakenOutLeavesTheDomain)
   series.Put({{folders[1].string(), folders[1], RadarVolume(), false}});
   EXPECT_EQ(series.Grid(), alone.Grid());
   EXPECT_EQ(series.Sites().count("KLSX"), 0U);
-  EXPECT_EQ(series.VolumeCount(), 1U);
+  EXPECT_EQ(series.Known().Spans().size(), 1U);
 }

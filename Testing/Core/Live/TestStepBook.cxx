@@ -39,10 +39,10 @@ TEST(StepBooks, AStepIsMadeAtOnceAndAgainWhenItsInputsHaveSettled)
   StepBook book({5min, {}, {}, 15min});
   book.Extend(noon, noon + 1min);
   EXPECT_TRUE(book.IsDue(noon, "some sweeps", false));
-  book.Make(noon, "some sweeps", false);
+  book.Make(noon, "some sweeps");
   EXPECT_FALSE(book.IsDue(noon, "more sweeps", false));
   EXPECT_TRUE(book.IsDue(noon, "all sweeps", true));
-  book.Make(noon, "all sweeps", true);
+  book.Make(noon, "all sweeps");
   EXPECT_FALSE(book.IsDue(noon, "all sweeps", true));
 }
 
@@ -50,12 +50,12 @@ TEST(StepBooks, AStepHasALastChanceBeforeItCloses)
 {
   StepBook book({5min, {}, {}, 15min});
   book.Extend(noon, noon + 1min);
-  book.Make(noon, "some sweeps", false);
+  book.Make(noon, "some sweeps");
   book.Extend(noon, noon + 16min);
   EXPECT_TRUE(book.IsClosing(noon));
   EXPECT_FALSE(book.IsClosing(noon + 5min));
   EXPECT_TRUE(book.IsDue(noon, "more sweeps", false));
-  book.Make(noon, "more sweeps", false);
+  book.Make(noon, "more sweeps");
   book.Close();
   EXPECT_EQ(book.Open().front(), noon + 5min);
   EXPECT_EQ(book.Made(), std::vector<Time>{noon});
@@ -66,7 +66,7 @@ TEST(StepBooks, HaveNoStepsInAPauseOfDays)
 {
   StepBook book({5min, {}, {}, 15min});
   book.Extend(noon, noon + 1min);
-  book.Make(noon, "some sweeps", false);
+  book.Make(noon, "some sweeps");
   book.Extend(noon, noon + 100h);
   ASSERT_FALSE(book.Open().empty());
   EXPECT_GE(book.Open().front(), noon + 100h - 20min);
@@ -78,7 +78,7 @@ TEST(StepBooks, GoOnWhereTheyWere)
   book.Extend(noon, noon + 21min);
   for (const Time step : book.Open())
   {
-    book.Make(step, "of " + FormatIso8601(step), true);
+    book.Make(step, "of " + FormatIso8601(step));
   }
   book.Close();
   StepBook next({5min, {}, {}, 15min});
@@ -97,7 +97,7 @@ TEST(StepBooks, AreMadeAnewForAnotherDomain)
 {
   StepBook book({5min, {}, {}, 15min});
   book.Extend(noon, noon + 1min);
-  book.Make(noon, "one radar", true);
+  book.Make(noon, "one radar");
   book.Restart();
   EXPECT_TRUE(book.IsDue(noon, "one radar", false));
   EXPECT_TRUE(book.Made().empty());
@@ -109,7 +109,7 @@ TEST(StepBooks, DroppedStepsAreNotMadeAgain)
   book.Extend(noon, noon + 21min);
   for (const Time step : book.Open())
   {
-    book.Make(step, "", true);
+    book.Make(step, "");
   }
   book.Drop(noon + 15min);
   EXPECT_EQ(book.Made(), (std::vector<Time>{noon + 15min, noon + 20min}));

@@ -2,6 +2,7 @@
 // Several radars about one time, through the choice of their volumes: radars that start, stop and
 // miss volumes, how they overlap, and the ancillary arrays.
 #include "BeamScene.h"
+#include "DirectMerge.h"
 #include "Tolerance.h"
 #include "nexrad/Merging/TimeMerge.h"
 
@@ -85,7 +86,7 @@ public:
   GriddedVolume At(double seconds)
   {
     request.time = sceneTime + Duration(std::llround(seconds * 1000.0));
-    return *MergeVolumes(pointers, request, {}, &run);
+    return *nexrad::testing::MergeDirectly(pointers, request, {}, &run);
   }
 
 private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Parts of a merged volume, made one by one: together they are, bit by bit, the volume made at
 // once.
+#include "DirectMerge.h"
 #include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Merging/SeriesMerger.h"
@@ -133,7 +134,7 @@ void ExpectBlocksOfTheWhole(MergeRequest request, const std::vector<VoxelBlock>&
 {
   const std::vector<const PolarVolume*> volumes = PointersTo(ThreeRadars());
   request.block.reset();
-  const GriddedVolume whole = *MergeVolumes(volumes, request);
+  const GriddedVolume whole = *testing::MergeDirectly(volumes, request);
   ASSERT_AT_LEAST(
     std::count(whole.states.begin(), whole.states.end(), VoxelState::Echo), 700, "voxels of echo");
   MergeRun run;
@@ -143,8 +144,8 @@ void ExpectBlocksOfTheWhole(MergeRequest request, const std::vector<VoxelBlock>&
                  std::to_string(block.begin[2]));
     request.block = block;
     const GriddedVolume expected = TakePart(whole, block);
-    ExpectSame(*MergeVolumes(volumes, request, {}, &run), expected);
-    ExpectSame(*MergeVolumes(volumes, request), expected);
+    ExpectSame(*testing::MergeDirectly(volumes, request, {}, &run), expected);
+    ExpectSame(*testing::MergeDirectly(volumes, request), expected);
   }
 }
 
@@ -213,7 +214,7 @@ TEST(MergeBlocks, ABlockMustLieInTheGrid)
       MergeRequest request = Request();
       request.method = method;
       request.block = wrong;
-      EXPECT_THROW(MergeVolumes(PointersTo(ThreeRadars()), request), Error);
+      EXPECT_THROW(testing::MergeDirectly(PointersTo(ThreeRadars()), request), Error);
     }
   }
 }
@@ -351,7 +352,7 @@ TEST_F(RowOfRadars, TheMotionIsThatOfAllRadars)
   request.block = block;
   const PolarVolume before = MakePolarVolume(ReadLevel2(folder.Path() / "KAAA1"), MomentName::REF);
   const PolarVolume after = MakePolarVolume(ReadLevel2(folder.Path() / "KAAA2"), MomentName::REF);
-  EXPECT_TRUE(MergeVolumes({&before, &after}, request)->values != right.values);
+  EXPECT_TRUE(testing::MergeDirectly({&before, &after}, request)->values != right.values);
 }
 
 // Without a scan it is not known how far the radars see.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Merged reflectivity after quality control, against the truth of SYNTHETIC scans: radar A has
 // ground clutter, radar B sees the same places from 45 km away without any.
+#include "DirectMerge.h"
 #include "Tolerance.h"
 #include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/Merging/MergeOptions.h"
@@ -57,7 +58,7 @@ GriddedVolume Merge(const std::vector<const PolarVolume*>& volumes)
   grid.top = 5'000.0;
   request.grid = MakeGrid(grid, {*SiteA().position});
   request.time = start + std::chrono::minutes(2);
-  return *MergeVolumes(volumes, request);
+  return *testing::MergeDirectly(volumes, request);
 }
 
 struct Merges

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Merged velocities, and what is derived of them, against the truth of SYNTHETIC scans.
+#include "DirectMerge.h"
 #include "Scans/SimulatedVelocities.h"
 #include "SweepMaker.h"
 #include "Tolerance.h"
@@ -49,7 +50,7 @@ GriddedVolume Merge(const std::vector<PolarVolume>& volumes)
   grid.top = 12'000.0;
   request.grid = MakeGrid(grid, positions);
   request.time = volumes.front().start + std::chrono::minutes(3);
-  return *MergeVolumes(chosen, request);
+  return *testing::MergeDirectly(chosen, request);
 }
 
 GriddedVolume MergeMade(const MomentOptions& options, MomentName moment)
@@ -171,7 +172,7 @@ double LargestError(const std::vector<PolarVolume>& velocities, const Position& 
   grid.top = 800.0;
   request.grid = MakeGrid(grid, {*velocities.front().site.position});
   request.time = velocities.front().start;
-  const GriddedVolume merged = *MergeVolumes(chosen, request);
+  const GriddedVolume merged = *testing::MergeDirectly(chosen, request);
   double largest = 0.0;
   std::size_t compared = 0;
   const Position& site = *velocities.front().site.position;

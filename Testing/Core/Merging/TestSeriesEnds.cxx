@@ -2,6 +2,7 @@
 // Formulas A3a, A2a: in the first and the last minutes of a series, where motion is known on one
 // side alone, echo moves as in the others, and its amount does not pulse. A table of the minutes of
 // a real run is printed.
+#include "DirectMerge.h"
 #include "Motion/VolumeMotion.h"
 #include "TestData.h"
 #include "Tolerance.h"
@@ -54,7 +55,7 @@ std::vector<GriddedVolume> MergeMinutes(const std::vector<PolarVolume>& volumes)
   for (const Time time : TimeSteps(first, last, 1min))
   {
     request.time = time;
-    minutes.push_back(MergeVolumes(pointers, request, {}, &run).value());
+    minutes.push_back(nexrad::testing::MergeDirectly(pointers, request, {}, &run).value());
   }
   return minutes;
 }

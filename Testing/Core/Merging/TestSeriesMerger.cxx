@@ -5,7 +5,7 @@
 #include "HandMadeVolume.h"
 #include "TestData.h"
 #include "Tolerance.h"
-#include "nexrad/Series/InputError.h"
+#include "nexrad/Series/InputFiles.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "DirectMerge.h"
 #include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/Merging/TimeMerge.h"
 
@@ -74,7 +75,7 @@ TEST(TimeMerge, InterpolatesBetweenTheVolumesAboutTheTime)
   const PolarVolume middle = Polar(keax, start + 5min, 20.0);
   const std::vector<const PolarVolume*> volumes = {&last, &first, &middle};
   const auto at = [&](Duration after)
-  { return *MergeVolumes(volumes, Request({*keax.position}, start + after)); };
+  { return *testing::MergeDirectly(volumes, Request({*keax.position}, start + after)); };
   ExpectEcho(at(0min), 10.0F);
   ExpectEcho(at(2min), 14.0F);
   ExpectEcho(at(5min), 20.0F);
@@ -87,13 +88,13 @@ TEST(TimeMerge, VolumesBeyondTheGapTakeNoPart)
 {
   const PolarVolume volume = Polar(keax, start, 30.0);
   MergeRequest request = Request({*keax.position}, start + 16min);
-  const auto none = MergeVolumes({&volume}, request);
+  const auto none = testing::MergeDirectly({&volume}, request);
   ASSERT_TRUE(none);
   EXPECT_TRUE(none->sites.empty());
   EXPECT_TRUE(std::all_of(none->states.begin(), none->states.end(),
     [](VoxelState state) { return state == VoxelState::NotScanned; }));
   request.maximumGap = 16min;
-  ExpectEcho(*MergeVolumes({&volume}, request), 30.0F);
+  ExpectEcho(*testing::MergeDirectly({&volume}, request), 30.0F);
 }
 
 // A picture of it must say so; another volume of the radar fills up what is missing.
@@ -109,11 +110,11 @@ TEST(TimeMerge, AVolumeThatWasCutOffIsNoted)
   EXPECT_FALSE(MakePolarVolume(decoded, MomentName::REF).endsAt) << "cut off on purpose";
   MergeRequest request = Request({*keax.position}, start);
   request.method = MergeMethod::Beam;
-  const auto alone = MergeVolumes({&cutOff}, request);
+  const auto alone = testing::MergeDirectly({&cutOff}, request);
   ASSERT_EQ(alone->notes.size(), 1U);
   EXPECT_EQ(alone->notes[0].find("KEAX: volume ends at 0.5°, cut off"), 0U) << alone->notes[0];
   const PolarVolume whole = Polar(keax, start + 5min, 30.0);
-  EXPECT_TRUE(MergeVolumes({&cutOff, &whole}, request)->notes.empty());
+  EXPECT_TRUE(testing::MergeDirectly({&cutOff, &whole}, request)->notes.empty());
 }
 
 TEST(TimeMerge, EachSiteHasItsOwnBracket)
@@ -121,7 +122,7 @@ TEST(TimeMerge, EachSiteHasItsOwnBracket)
   const PolarVolume before = Polar(keax, start, 10.0);
   const PolarVolume after = Polar(keax, start + 4min, 20.0);
   const PolarVolume other = Polar(klsx, start + 1min, 50.0);
-  const auto merged = MergeVolumes(
+  const auto merged = testing::MergeDirectly(
     {&other, &after, &before}, Request({*keax.position, *klsx.position}, start + 2min));
   EXPECT_EQ(merged->sites, (std::vector<std::string>{"KEAX", "KLSX"}));
   // The circles of 100 km do not meet: 310 km lie between the radars.
@@ -176,8 +177,8 @@ TEST(TimeMerge, MotionDoesNotDependOnWhatWasMergedBefore)
   for (const Duration after : {Duration(20s), Duration(4min), Duration(11min), Duration(8min),
          Duration(14min), Duration(4min)})
   {
-    const auto ofRun = MergeVolumes(pointers, BeamRequest(after), {}, &run);
-    const auto fresh = MergeVolumes(pointers, BeamRequest(after));
+    const auto ofRun = testing::MergeDirectly(pointers, BeamRequest(after), {}, &run);
+    const auto fresh = testing::MergeDirectly(pointers, BeamRequest(after));
     EXPECT_EQ(ofRun->values, fresh->values);
     EXPECT_EQ(ofRun->states, fresh->states);
     std::reverse(pointers.begin(), pointers.end());
@@ -193,11 +194,11 @@ TEST_P(MotionAt, IsTheDefaultAndCanBeGivenOrLeft)
 {
   const std::vector<PolarVolume> volumes = ScanStorms();
   MergeRequest request = BeamRequest(GetParam());
-  const auto found = MergeVolumes(PointersTo(volumes), request);
+  const auto found = testing::MergeDirectly(PointersTo(volumes), request);
   request.motion = Velocity{20.0, 10.0};
-  const auto given = MergeVolumes(PointersTo(volumes), request);
+  const auto given = testing::MergeDirectly(PointersTo(volumes), request);
   request.interpolation = TimeInterpolationMethod::Linear;
-  const auto linear = MergeVolumes(PointersTo(volumes), request);
+  const auto linear = testing::MergeDirectly(PointersTo(volumes), request);
   // What is found is nearer to what is known than to nothing.
   double ofFound = 0.0;
   double ofLinear = 0.0;
@@ -226,12 +227,12 @@ TEST(TimeMerge, OtherMomentsMoveOnlyAsGiven)
 {
   const std::vector<PolarVolume> volumes = ScanStorms(MomentName::ZDR);
   MergeRequest request = BeamRequest(4min);
-  const auto alone = MergeVolumes(PointersTo(volumes), request);
+  const auto alone = testing::MergeDirectly(PointersTo(volumes), request);
   request.interpolation = TimeInterpolationMethod::Linear;
-  EXPECT_EQ(MergeVolumes(PointersTo(volumes), request)->values, alone->values);
+  EXPECT_EQ(testing::MergeDirectly(PointersTo(volumes), request)->values, alone->values);
   request.interpolation = TimeInterpolationMethod::AlongMotion;
   request.motion = Velocity{20.0, 10.0};
-  EXPECT_NE(MergeVolumes(PointersTo(volumes), request)->values, alone->values);
+  EXPECT_NE(testing::MergeDirectly(PointersTo(volumes), request)->values, alone->values);
 }
 
 TEST(TimeMerge, RefusesAMotionFasterThanAnyEcho)
@@ -241,7 +242,7 @@ TEST(TimeMerge, RefusesAMotionFasterThanAnyEcho)
   for (const double bad : {200.0, std::numeric_limits<double>::quiet_NaN()})
   {
     request.motion = Velocity{0.0, bad};
-    EXPECT_THROW(MergeVolumes(PointersTo(volumes), request), Error);
+    EXPECT_THROW(testing::MergeDirectly(PointersTo(volumes), request), Error);
   }
 }
 
@@ -262,8 +263,8 @@ TEST(TimeMerge, ARunMakesANewMergerForOtherOptions)
 TEST(TimeMerge, StopsWhenAskedTo)
 {
   const PolarVolume volume = Polar(keax, start, 30.0);
-  EXPECT_FALSE(
-    MergeVolumes({&volume}, Request({*keax.position}, start), [](double) { return false; }));
+  EXPECT_FALSE(testing::MergeDirectly(
+    {&volume}, Request({*keax.position}, start), [](double) { return false; }));
 }
 
 TEST(TimeMerge, NamesOfMethods)

@@ -5,11 +5,11 @@
 #include "TestData.h"
 #include "Tolerance.h"
 #include "nexrad/Series/ScanInputs.h"
-#include "nexrad/Series/VolumeSelection.h"
 #include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <fstream>
@@ -63,8 +63,7 @@ protected:
       made.emplace_back(ready.beam);
       return ready;
     };
-    work.choose = [this](const std::vector<Time>& starts, const std::vector<Time>& ends, Time time)
-    { return FindVolumesAbout(starts, ends, time, request.maximumGap); };
+    work.rule = VolumeRuleOf(request);
     return work;
   }
 
@@ -93,15 +92,23 @@ protected:
   std::vector<std::string> Expected(Time time)
   {
     std::vector<std::string> names;
-    for (const SiteSeries& site : this->Scan().sites)
+    for (const ChosenVolume& each :
+      this->Scan().ChosenAt(time, VolumeRuleOf(request), {MomentName::REF}))
     {
-      const auto about = FindVolumesAbout(site.Starts(), site.Ends(), time, request.maximumGap);
-      for (const std::size_t index : about)
-      {
-        names.push_back(site.site.name + FormatIso8601(site.volumes[index].start));
-      }
+      names.push_back(this->Scan().sites[each.site].site.name + FormatIso8601(each.volume->start));
     }
     return names;
+  }
+
+  // Whether each time so far is made of what a scan of all files leads to.
+  bool IsAsScanned(const VolumeLoader& loader)
+  {
+    return std::all_of(loader.Made().begin(), loader.Made().end(),
+      [this](const auto& step)
+      {
+        return step.second ==
+               this->Scan().MadeOf(step.first, VolumeRuleOf(request), {MomentName::REF});
+      });
   }
 
   static std::vector<std::string> Names(const std::vector<ReadyVolume>& volumes)
@@ -151,7 +158,7 @@ TEST_F(VolumeLoading, GivesWhatAScanWouldAndHoldsLittle)
     }
     EXPECT_LE(decoded,
       paths.size()); // each once, and those between two times that neither needs not at all
-    EXPECT_TRUE(loader->IsAsIn(this->Scan()));
+    EXPECT_TRUE(this->IsAsScanned(*loader));
   }
 }
 
@@ -175,7 +182,7 @@ TEST_F(VolumeLoading, ScansAFileOnRequestAndKeepsItForItsTime)
     EXPECT_EQ(Names(*loader->About(start + after)), this->Expected(start + after));
   }
   EXPECT_EQ(decoded, paths.size());
-  EXPECT_EQ(loader->Known()[35]->volumes.size(), 1U);
+  EXPECT_EQ(loader->Known()[35].volumes.size(), 1U);
 }
 
 TEST_F(VolumeLoading, TimesMayComeInAnyOrder)
@@ -194,7 +201,7 @@ TEST_F(VolumeLoading, TimesMayComeInAnyOrder)
       EXPECT_AT_MOST(this->Alive(), 2U * 3U + 2U * 4U + 2U, "volumes in memory")
         << after / 1s << " s";
     }
-    EXPECT_TRUE(loader->IsAsIn(this->Scan()));
+    EXPECT_TRUE(this->IsAsScanned(*loader));
     EXPECT_FALSE(loader->HeadersErr());
     if (cached)
     {
@@ -254,8 +261,8 @@ TEST_F(VolumeLoading, SitesThatAreNotWantedAreNotDecoded)
   }
   const auto known = loader->Known();
   EXPECT_TRUE(std::none_of(
-    known.begin() + 36, known.end(), [](const auto& file) { return file.has_value(); }));
-  EXPECT_TRUE(known[11]);
+    known.begin() + 36, known.end(), [](const auto& file) { return !IsUnknown(file); }));
+  EXPECT_FALSE(IsUnknown(known[11]));
 }
 
 TEST_F(VolumeLoading, NoticesAHeaderThatHidesAVolume)
@@ -264,10 +271,10 @@ TEST_F(VolumeLoading, NoticesAHeaderThatHidesAVolume)
   SetHeaderTime(paths[6], start + 90min);
   const auto loader = this->Open();
   loader->About(start + 20min);
-  EXPECT_TRUE(loader->IsAsIn(this->Scan()));
+  EXPECT_TRUE(this->IsAsScanned(*loader));
   EXPECT_FALSE(loader->HeadersErr());
   loader->About(start + 32min);
-  EXPECT_FALSE(loader->IsAsIn(this->Scan()));
+  EXPECT_FALSE(this->IsAsScanned(*loader));
   loader->About(start + 90min); // which needs the file
   EXPECT_TRUE(loader->HeadersErr());
 }
@@ -285,7 +292,7 @@ TEST_F(VolumeLoading, HeadersMayErrByLessThanAVolume)
   {
     EXPECT_EQ(Names(*loader->About(start + after)), this->Expected(start + after));
   }
-  EXPECT_TRUE(loader->IsAsIn(this->Scan()));
+  EXPECT_TRUE(this->IsAsScanned(*loader));
 }
 
 TEST_F(VolumeLoading, OfTwoCopiesTheFullerStays)
@@ -298,7 +305,7 @@ TEST_F(VolumeLoading, OfTwoCopiesTheFullerStays)
   const auto volumes = *loader->About(start + 31min);
   EXPECT_EQ(Names(volumes), this->Expected(start + 31min));
   EXPECT_EQ(volumes[0].beam->sweeps[0].azimuths.size(), 362U);
-  EXPECT_TRUE(loader->IsAsIn(this->Scan()));
+  EXPECT_TRUE(this->IsAsScanned(*loader));
 }
 
 TEST_F(VolumeLoading, ADamagedFileIsAGapAndNamed)
@@ -307,9 +314,8 @@ TEST_F(VolumeLoading, ADamagedFileIsAGapAndNamed)
   const auto loader = this->Open();
   EXPECT_EQ(Names(*loader->About(start + 11min)), this->Expected(start + 11min));
   const auto known = loader->Known();
-  ASSERT_TRUE(known[2]);
-  ASSERT_FALSE(known[2]->problems.empty());
-  EXPECT_TRUE(known[2]->problems.back().leftOut);
+  ASSERT_FALSE(known[2].problems.empty());
+  EXPECT_TRUE(known[2].problems.back().leftOut);
 }
 
 TEST_F(VolumeLoading, HandsOnWhatPreparingThrows)

@@ -12,7 +12,7 @@
 #include "nexrad/Model/Elevation.h"
 #include "nexrad/Motion/MotionTracker.h"
 #include "nexrad/Polar/SweepPairing.h"
-#include "nexrad/Series/SiteSeries.h"
+#include "nexrad/Series/Catalogue.h"
 #include "nexrad/Simulation/SimulatedDay.h"
 #include "nexrad/Thesis/ThesisMerge.h"
 

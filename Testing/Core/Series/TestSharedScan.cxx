@@ -59,10 +59,16 @@ public:
       {
         std::unique_lock<std::mutex> lock(mutex);
         parts[rank] = mine;
-        ++arrived;
-        changed.notify_all();
-        changed.wait(lock, [this] { return arrived == parts.size(); });
-        return parts;
+        const std::size_t own = turn;
+        if (++arrived == parts.size())
+        {
+          exchanged = parts;
+          arrived = 0;
+          ++turn;
+          changed.notify_all();
+        }
+        changed.wait(lock, [this, own] { return turn != own; });
+        return exchanged;
       }};
   }
 
@@ -70,7 +76,9 @@ private:
   std::mutex mutex;
   std::condition_variable changed;
   std::vector<std::string> parts;
+  std::vector<std::string> exchanged; // in the turn before
   std::size_t arrived = 0;
+  std::size_t turn = 0;
 };
 
 // Runs a scan as `count` processes would; what came out in each.
@@ -117,6 +125,31 @@ std::string Describe(const SeriesScan& scan)
   return text;
 }
 
+// What a scan of inputs finds in one of several processes.
+std::optional<SeriesScan> ScanShared(const std::vector<std::filesystem::path>& inputs,
+  const Processes& processes, const SeriesOptions& options = {}, const VolumeVisitor& visitor = {},
+  const Progress& progress = {})
+{
+  InputFiles found;
+  processes.Together([&] { found = FindInputFiles(inputs); });
+  const auto files =
+    ScanTogether(found.paths, processes, ScanOrder::ByTime, options, visitor, progress);
+  return files ? std::optional(CollectSeries(found.problems, *files)) : std::nullopt;
+}
+
+// The files that a process scans, in the order of their headers' times.
+std::vector<std::filesystem::path> PartOf(
+  const std::vector<std::filesystem::path>& paths, const Processes& processes, ScanOrder order)
+{
+  SeriesOptions options;
+  options.threads = 1;
+  std::vector<std::filesystem::path> own;
+  ScanTogether(paths, processes, order, options,
+    [&own](const SeriesVolume& volume, const RadarVolume&,
+      const std::shared_ptr<const PolarVolume>&) { own.push_back(volume.file); });
+  return own;
+}
+
 } // namespace
 
 TEST(SharedScan, AllProcessesKnowWhatOneAloneWouldFind)
@@ -133,9 +166,7 @@ TEST(SharedScan, AllProcessesKnowWhatOneAloneWouldFind)
   std::atomic<int> visits{0};
   const auto scan = [&](const Processes& processes)
   {
-    SeriesOptions options;
-    options.processes = processes;
-    return ScanInputs(inputs, options,
+    return ScanShared(inputs, processes, {},
       [&visits](const SeriesVolume&, const RadarVolume&, const std::shared_ptr<const PolarVolume>&)
       { ++visits; });
   };
@@ -163,16 +194,7 @@ TEST(SharedScan, PartsAreNeighboursInTime)
       folder.Path() / (std::string("at-") + minute), {ConstantVolume(keax, start, 20.0)}));
   }
   const auto scan = [&paths](const Processes& processes)
-  {
-    std::vector<std::filesystem::path> own;
-    ScanTogether(paths, processes, ScanOrder::ByTime,
-      [&own](const std::vector<std::filesystem::path>& files)
-      {
-        own = files;
-        return std::vector<ScannedFile>(files.size());
-      });
-    return own;
-  };
+  { return PartOf(paths, processes, ScanOrder::ByTime); };
   const auto parts = ScanAsProcesses(2, scan);
   EXPECT_EQ(parts[0], (std::vector{paths[3], paths[1], paths[5]}));
   EXPECT_EQ(parts[1], (std::vector{paths[4], paths[2], paths[0]}));
@@ -198,15 +220,10 @@ TEST(SharedScan, PartsMayBeNeighbouringSites)
     const auto scan = [&paths, order](Processes processes)
     {
       std::vector<std::string> own;
-      ScanTogether(paths, processes, order,
-        [&own](const std::vector<std::filesystem::path>& files)
-        {
-          for (const std::filesystem::path& file : files)
-          {
-            own.push_back(file.filename());
-          }
-          return std::vector<ScannedFile>(files.size());
-        });
+      for (const std::filesystem::path& file : PartOf(paths, processes, order))
+      {
+        own.push_back(file.filename());
+      }
       return own;
     };
     return ScanAsProcesses(2, scan);
@@ -234,11 +251,7 @@ TEST(SharedScan, SummariesReachAllProcesses)
   options.summaries = true;
   const SeriesScan alone = *ScanInputs({folder.Path()}, options);
   const auto scan = [&](const Processes& processes)
-  {
-    SeriesOptions own = options;
-    own.processes = processes;
-    return ScanInputs({folder.Path()}, own);
-  };
+  { return ScanShared({folder.Path()}, processes, options); };
   for (const auto& found : ScanAsProcesses(2, scan))
   {
     for (std::size_t i = 0; i < 3; ++i)
@@ -265,11 +278,9 @@ TEST(SharedScan, OneFailureFailsAll)
   // The second process does not see the file.
   const auto scan = [&](const Processes& processes)
   {
-    SeriesOptions options;
-    options.processes = processes;
     try
     {
-      ScanInputs({processes.Rank() == 1 ? folder.Path() / "missing" : path}, options);
+      ScanShared({processes.Rank() == 1 ? folder.Path() / "missing" : path}, processes);
     }
     catch (const Error& error)
     {
@@ -294,9 +305,8 @@ TEST(SharedScan, OneThatIsStoppedStopsAll)
   }
   const auto scan = [&](const Processes& processes)
   {
-    SeriesOptions options;
-    options.processes = processes;
-    return ScanInputs(paths, options, {}, [&processes](double) { return processes.Rank() != 2; })
+    return ScanShared(
+      paths, processes, {}, {}, [&processes](double) { return processes.Rank() != 2; })
       .has_value();
   };
   for (const bool finished : ScanAsProcesses(3, scan))

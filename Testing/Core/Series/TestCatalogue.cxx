@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Series/SiteSeries.h"
+#include "nexrad/Series/Catalogue.h"
 
 #include "Faults/Unprivileged.h"
 #include "HandMadeVolume.h"
@@ -96,7 +96,8 @@ TEST(SiteSeries, SplitsAFileOfSeveralCycles)
   const auto scan = ScanInputs({path});
   ASSERT_EQ(scan->sites.size(), 1U);
   ASSERT_EQ(scan->sites[0].volumes.size(), 2U);
-  EXPECT_EQ(scan->sites[0].Starts(), (std::vector<Time>{first, second}));
+  EXPECT_EQ(scan->sites[0].volumes[0].start, first);
+  EXPECT_EQ(scan->sites[0].volumes[1].start, second);
   EXPECT_EQ(scan->sites[0].volumes[1].cycle, 1U);
 }
 

@@ -12,7 +12,6 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,6 +23,7 @@ namespace nexrad
 /// One volume among the inputs: where it stands and when it was scanned. Its data are elsewhere.
 struct SeriesVolume
 {
+  std::size_t input = 0;      ///< place of the file among the inputs, once it is in a catalogue
   std::filesystem::path file; ///< a Level II file or a chunk folder
   std::size_t cycle = 0;      ///< which of the cycles in the file (SplitCycles), from 0
   Time start{};               ///< first ray
@@ -44,44 +44,69 @@ struct SeriesVolume
   bool Has(MomentName moment) const;
 };
 
-/// Chooses among volumes by their starts, which ascend, and ends.
-using VolumeChoice = std::function<std::vector<std::size_t>(
-  const std::vector<Time>& starts, const std::vector<Time>& ends)>;
-
-/// Of volumes by start time, those that a choice takes among the ones with a moment.
-std::vector<const SeriesVolume*> ChooseWith(
-  MomentName moment, const std::vector<SeriesVolume>& volumes, const VolumeChoice& choose);
+/// The order of a site's volumes: by their first rays; of two that share it the one that stays,
+/// with more rays, first, and of two such that of the first input.
+bool IsBefore(const SeriesVolume& a, const SeriesVolume& b);
 
 /// All volumes of one radar.
 struct SiteSeries
 {
   Site site;
-  std::vector<SeriesVolume> volumes; ///< by start time, no two alike; never empty
+  std::vector<SeriesVolume> volumes; ///< by start, no two alike; never empty in a catalogue
 
-  std::vector<Time> Starts() const;
-  std::vector<Time> Ends() const;
+  /// Adds a volume. Of two with the same first ray the one with more rays stays; of two such, that
+  /// of the input that was named first.
+  void Put(const SeriesVolume& volume);
+  /// Of the volumes with a moment, those that a rule takes at a time.
+  std::vector<const SeriesVolume*> ChosenAt(
+    Time time, const VolumeRule& rule, MomentName moment) const;
+};
+
+/// A volume that takes part in the merge of a moment.
+struct ChosenVolume
+{
+  MomentName moment{};
+  std::size_t site = 0;                 ///< place of the radar in the catalogue
+  const SeriesVolume* volume = nullptr; ///< in the catalogue, as long as that stays as it is
 };
 
 /// Radius of the domain that shows what one radar sees, m: of a terminal radar the volume's reach,
 /// else DefaultRange.
 double RangeOf(const Site& site, const SeriesVolume& volume);
 
-/// What is in a list of radar files of any number of sites.
-struct SeriesScan
+/// The volumes that are known of any number of radars, and which of them take part at a time.
+struct Catalogue
 {
-  std::vector<SiteSeries> sites;      ///< by name
-  std::vector<InputProblem> problems; ///< in the order of the inputs
-  std::vector<std::string> notes;     ///< of the files, as in ScannedFile, in their order
+  std::vector<SiteSeries> sites; ///< by KeyOf
+
+  /// The radar of that key; a new one stands where `site` does, and has no volume yet.
+  SiteSeries& Of(const Site& site);
+
+  /// The volumes that take part at a time: by moment, radar and start. Of each moment these are
+  /// chosen among the volumes that have it.
+  std::vector<ChosenVolume> ChosenAt(
+    Time time, const VolumeRule& rule, const std::vector<MomentName>& moments) const;
+  /// What the merge at a time is made of, as text: a line for each volume that ChosenAt gives, with
+  /// all that tells it from others. A merge whose text stays the same stays as it is.
+  std::string MadeOf(
+    Time time, const VolumeRule& rule, const std::vector<MomentName>& moments) const;
 
   /// Times of the first and of the last ray of all volumes; empty without volumes.
   std::optional<Time> First() const;
   std::optional<Time> Last() const;
-  /// From the first to the last ray of each volume.
+  /// From the first to the last ray of each volume, in the order of their first rays.
   std::vector<TimeSpan> Spans() const;
   /// RangeOf a radar that is alone, and its first volume; of several DefaultRange. m
   double Range() const;
   /// Positions of the sites that have one.
   std::vector<Position> Positions() const;
+};
+
+/// What is in a list of radar files of any number of sites.
+struct SeriesScan : Catalogue
+{
+  std::vector<InputProblem> problems; ///< in the order of the inputs
+  std::vector<std::string> notes;     ///< of the files, as in ScannedFile, in their order
 };
 
 } // namespace nexrad
