@@ -39,7 +39,8 @@ GriddedVolume ReadOnly(const fs::path& folder)
   return {};
 }
 
-ProgramRun Grid(const fs::path& file, const fs::path& output, std::vector<std::string> options)
+ProgramRun GridWithQuality(
+  const fs::path& file, const fs::path& output, std::vector<std::string> options)
 {
   std::vector<std::string> arguments = {
     "grid", file, "-o", output, "--dims", "96x96x24", "--code", "exact"};
@@ -59,7 +60,8 @@ TEST(QualityControl, OffIsAMergeWithoutIt)
 {
   NEXRAD_REQUIRE_TEST_DATA(data);
   const TemporaryFolder folder;
-  const ProgramRun run = Grid(data / groundEcho, folder.Path() / "off", {"--quality", "off"});
+  const ProgramRun run =
+    GridWithQuality(data / groundEcho, folder.Path() / "off", {"--quality", "off"});
   ASSERT_EQ(run.status, 0) << run.errors;
   EXPECT_EQ(run.output.find("quality control"), std::string::npos) << run.output;
   const GriddedVolume off = ReadOnly(folder.Path() / "off");
@@ -76,13 +78,16 @@ TEST(QualityControl, TakesGroundEchoOutByDefault)
 {
   NEXRAD_REQUIRE_TEST_DATA(data);
   const TemporaryFolder folder;
-  const ProgramRun plain = Grid(data / groundEcho, folder.Path() / "plain", {});
+  const ProgramRun plain = GridWithQuality(data / groundEcho, folder.Path() / "plain", {});
   ASSERT_EQ(plain.status, 0) << plain.errors;
   EXPECT_NE(plain.output.find("quality control (standard) took out "), std::string::npos)
     << plain.output;
   EXPECT_NE(plain.output.find("ground texture "), std::string::npos) << plain.output;
-  ASSERT_EQ(Grid(data / groundEcho, folder.Path() / "off", {"--quality", "off"}).status, 0);
-  ASSERT_EQ(Grid(data / groundEcho, folder.Path() / "strict", {"--quality", "strict"}).status, 0);
+  ASSERT_EQ(
+    GridWithQuality(data / groundEcho, folder.Path() / "off", {"--quality", "off"}).status, 0);
+  ASSERT_EQ(
+    GridWithQuality(data / groundEcho, folder.Path() / "strict", {"--quality", "strict"}).status,
+    0);
   const GriddedVolume standard = ReadOnly(folder.Path() / "plain");
   const GriddedVolume off = ReadOnly(folder.Path() / "off");
   const GriddedVolume strict = ReadOnly(folder.Path() / "strict");

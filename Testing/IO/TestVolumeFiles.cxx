@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EventCounter.h"
+#include "Scans/RadarsOfMissouri.h"
 #include "TestData.h"
 
 #include "nexrad/Codec/NxvFile.h"
@@ -44,9 +45,8 @@ using nexrad::GriddedVolume;
 using nexrad::VoxelState;
 using nexrad::testing::AnyHolds;
 using nexrad::testing::EventCounter;
+using nexrad::testing::start;
 using nexrad::testing::TemporaryFolder;
-
-const nexrad::Time start = *nexrad::ParseIso8601("2006-03-12T18:00:00Z");
 
 /// 6 × 5 × 4 voxels of all states; the echoes count up from `first` dBZ.
 GriddedVolume MakeVolume(nexrad::Time time, float first = 10.0F)

@@ -2,6 +2,7 @@
 #include "nexrad/Merging/PolarCache.h"
 
 #include "HandMadeVolume.h"
+#include "Scans/RadarsOfMissouri.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,7 @@ namespace nexrad
 namespace
 {
 
-const Site keax = {"KEAX", Position{38.81, -94.264, 333.0}};
+using testing::keax;
 
 PolarCache::Volume Volume()
 {

@@ -3,6 +3,7 @@
 
 #include "Faults/Unprivileged.h"
 #include "HandMadeVolume.h"
+#include "Scans/RadarsOfMissouri.h"
 #include "TestData.h"
 #include "Tolerance.h"
 #include "nexrad/Series/ScanInputs.h"
@@ -24,18 +25,13 @@ namespace
 
 namespace fs = std::filesystem;
 
+using testing::At;
 using testing::ConstantVolume;
 using testing::HoldsUnprivileged;
+using testing::keax;
+using testing::klsx;
 using testing::TemporaryFolder;
 using testing::WriteLevel2;
-
-const Site keax = {"KEAX", Position{38.81, -94.264, 333.0}};
-const Site klsx = {"KLSX", Position{38.699, -90.683, 220.0}};
-
-Time At(const char* text)
-{
-  return *ParseIso8601(text);
-}
 
 void WriteText(const std::filesystem::path& path, const std::string& text)
 {

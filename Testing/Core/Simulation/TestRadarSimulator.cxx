@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ScannedStorm.h"
 #include "Tolerance.h"
 #include "nexrad/Model/SiteTable.h"
 #include "nexrad/Simulation/BeamSampler.h"
@@ -14,16 +15,10 @@
 #include <cstring>
 
 using namespace nexrad;
+using namespace nexrad::testing;
 
 namespace
 {
-
-const Time start = *ParseIso8601("2006-03-12T18:03:12.500");
-
-Site TestSite()
-{
-  return {"KLSX", FindSite("KLSX")->position};
-}
 
 // One scan for all tests: pattern 32 has the fewest cuts.
 const RadarVolume& Scanned()
