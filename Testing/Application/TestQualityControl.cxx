@@ -26,19 +26,6 @@ namespace
 
 constexpr char groundEcho[] = "level2/quality/KLSX19930707_040351.gz";
 
-GriddedVolume ReadOnly(const fs::path& folder)
-{
-  for (const auto& entry : fs::directory_iterator(folder))
-  {
-    if (entry.path().extension() == ".nxv")
-    {
-      return ReadNxv(entry.path());
-    }
-  }
-  ADD_FAILURE() << folder << " has no volume";
-  return {};
-}
-
 ProgramRun GridWithQuality(
   const fs::path& file, const fs::path& output, std::vector<std::string> options)
 {
@@ -64,7 +51,7 @@ TEST(QualityControl, OffIsAMergeWithoutIt)
     GridWithQuality(data / groundEcho, folder.Path() / "off", {"--quality", "off"});
   ASSERT_EQ(run.status, 0) << run.errors;
   EXPECT_EQ(run.output.find("quality control"), std::string::npos) << run.output;
-  const GriddedVolume off = ReadOnly(folder.Path() / "off");
+  const GriddedVolume off = ReadOnlyVolume(folder.Path() / "off");
   const PolarVolume words = MakePolarVolume(ReadLevel2(data / groundEcho), MomentName::REF);
   MergeRequest request;
   request.grid = off.grid;
@@ -88,9 +75,9 @@ TEST(QualityControl, TakesGroundEchoOutByDefault)
   ASSERT_EQ(
     GridWithQuality(data / groundEcho, folder.Path() / "strict", {"--quality", "strict"}).status,
     0);
-  const GriddedVolume standard = ReadOnly(folder.Path() / "plain");
-  const GriddedVolume off = ReadOnly(folder.Path() / "off");
-  const GriddedVolume strict = ReadOnly(folder.Path() / "strict");
+  const GriddedVolume standard = ReadOnlyVolume(folder.Path() / "plain");
+  const GriddedVolume off = ReadOnlyVolume(folder.Path() / "off");
+  const GriddedVolume strict = ReadOnlyVolume(folder.Path() / "strict");
   EXPECT_EQ(Count(off, VoxelState::Filtered), 0U);
   EXPECT_AT_LEAST(Count(standard, VoxelState::Filtered), 400U, "filtered voxels of KLSX 1993");
   EXPECT_GE(Count(strict, VoxelState::Filtered), Count(standard, VoxelState::Filtered));

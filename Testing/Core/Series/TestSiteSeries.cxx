@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Series/SiteSeries.h"
 
+#include "ErrorMessage.h"
 #include "Faults/Unprivileged.h"
 #include "HandMadeVolume.h"
 #include "Scans/RadarsOfMissouri.h"
@@ -259,15 +260,8 @@ TEST(SiteSeries, LeavesOutVolumesThatCannotBeUsed)
 TEST(SiteSeries, RefusesMissingPathsAndEmptyFolders)
 {
   const TemporaryFolder folder;
-  try
-  {
-    FindInputFiles({folder.Path() / "absent"});
-    FAIL() << "a missing path was taken";
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.what(), (folder.Path() / "absent").string() + ": no such file or folder");
-  }
+  const std::string error = testing::MessageOf([&] { FindInputFiles({folder.Path() / "absent"}); });
+  EXPECT_EQ(error, (folder.Path() / "absent").string() + ": no such file or folder");
   EXPECT_THROW(FindInputFiles({folder.Path()}), Error);
 }
 

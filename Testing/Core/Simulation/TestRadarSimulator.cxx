@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ErrorMessage.h"
 #include "ScannedStorm.h"
 #include "Tolerance.h"
 #include "nexrad/Model/SiteTable.h"
@@ -6,7 +7,6 @@
 #include "nexrad/Simulation/RadarSimulator.h"
 #include "nexrad/Simulation/ScanStrategy.h"
 #include "nexrad/Simulation/VelocitySampler.h"
-#include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
 
@@ -36,15 +36,7 @@ bool SameWords(const RadarVolume& first, const RadarVolume& second)
 
 std::string ScanError(const Site& site, int pattern, const SimulatorOptions& options = {})
 {
-  try
-  {
-    ScanVolume(StormField(), site, pattern, start, options);
-  }
-  catch (const Error& error)
-  {
-    return error.what();
-  }
-  return "";
+  return MessageOf([&] { ScanVolume(StormField(), site, pattern, start, options); });
 }
 
 } // namespace
