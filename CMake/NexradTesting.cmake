@@ -65,6 +65,7 @@ function(nexrad_add_test name)
     add_test(NAME ${name} COMMAND ${name} --gtest_brief=1 "--gtest_filter=${filter}") # prints the tests that fail
     set_tests_properties(${name} PROPERTIES ${properties})
   else()
-    gtest_discover_tests(${name} TEST_FILTER "${filter}" DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES ${properties})
+    gtest_discover_tests(${name} TEST_FILTER "${filter}"
+      DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES ${properties})
   endif()
 endfunction()
