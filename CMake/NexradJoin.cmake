@@ -1,5 +1,5 @@
-# Joined compilation: the sources of a folder of Source are compiled as one, so that headers are read once a folder and
-# not once a file. Two files of a folder must then not give different things the same name outside of a class.
+# Joined compilation: the sources that a target has of a folder are compiled as one, so that headers are read once a
+# folder and not once a file. Two of them must then not give different things the same name outside of a class.
 option(VTKNexrad_JOIN_SOURCES
   "Compile the sources of each folder as one (off: file by file, which shows what a file does not include itself)" ON)
 
@@ -22,7 +22,7 @@ function(nexrad_join_folders directory)
     endforeach()
   endforeach()
   get_property(folders DIRECTORY "${directory}" PROPERTY SUBDIRECTORIES)
-  list(FILTER folders INCLUDE REGEX "^${CMAKE_SOURCE_DIR}/Source/")
+  list(FILTER folders INCLUDE REGEX "^${CMAKE_SOURCE_DIR}/(Source/|Testing)")
   foreach(folder IN LISTS folders)
     nexrad_join_folders("${folder}")
   endforeach()

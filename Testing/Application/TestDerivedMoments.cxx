@@ -22,22 +22,6 @@ namespace fs = std::filesystem;
 namespace
 {
 
-// The only volume that a run of grid writes, of one of its moments.
-GriddedVolume ReadOnly(const fs::path& folder, MomentName moment)
-{
-  NxvReadOptions options;
-  options.moments = {moment};
-  for (const auto& entry : fs::directory_iterator(folder))
-  {
-    if (entry.path().extension() == ".nxv")
-    {
-      return ReadNxv(entry.path(), options);
-    }
-  }
-  ADD_FAILURE() << folder << " has no volume";
-  return {};
-}
-
 ProgramRun Grid(const fs::path& file, const fs::path& output, std::vector<std::string> options)
 {
   std::vector<std::string> arguments = {
@@ -82,7 +66,7 @@ TEST(DerivedMoments, AreWrittenByGrid)
     Grid(file, folder.Path() / "v", {"--moment", "SRV,AZSHEAR,DIV,KDP", "--range", "120km"});
   ASSERT_EQ(run.status, 0) << run.errors;
   const auto range = [&folder](MomentName moment)
-  { return RangeOf(ReadOnly(folder.Path() / "v", moment)); };
+  { return RangeOf(ReadOnlyVolume(folder.Path() / "v", moment)); };
   const ValueRange relative = range(MomentName::SRV);
   EXPECT_GT(relative.echoes, 5'000U);
   EXPECT_LT(relative.least, -10.0);
@@ -117,8 +101,8 @@ TEST(DealiasedGrid, CanBeLeftOut)
               {"--moment", "VEL", "--code", "exact", "--range", "120km"})
               .status,
     0);
-  const GriddedVolume folded = ReadOnly(folder.Path() / "folded", MomentName::VEL);
-  const GriddedVolume unfolded = ReadOnly(folder.Path() / "unfolded", MomentName::VEL);
+  const GriddedVolume folded = ReadOnlyVolume(folder.Path() / "folded", MomentName::VEL);
+  const GriddedVolume unfolded = ReadOnlyVolume(folder.Path() / "unfolded", MomentName::VEL);
 
   const RadarVolume volume = ReadLevel2(file);
   const PolarVolume words = MakePolarVolume(volume, MomentName::VEL);
@@ -167,8 +151,8 @@ TEST(DerivedMoments, TakeTheMotionThatIsGiven)
                 .status,
       0);
   }
-  const GriddedVolume still = ReadOnly(folder.Path() / "0,0", MomentName::SRV);
-  const GriddedVolume moving = ReadOnly(folder.Path() / "100,0", MomentName::SRV);
+  const GriddedVolume still = ReadOnlyVolume(folder.Path() / "0,0", MomentName::SRV);
+  const GriddedVolume moving = ReadOnlyVolume(folder.Path() / "100,0", MomentName::SRV);
   std::size_t compared = 0;
   for (std::size_t i = 0; i < still.values.size(); ++i)
   {

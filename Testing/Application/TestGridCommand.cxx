@@ -25,16 +25,6 @@ namespace fs = std::filesystem;
 namespace
 {
 
-std::set<std::string> NamesIn(const fs::path& folder)
-{
-  std::set<std::string> names;
-  for (const auto& entry : fs::directory_iterator(folder))
-  {
-    names.insert(entry.path().filename());
-  }
-  return names;
-}
-
 // Three radars of New York at 01:15 UTC, which overlap: the start of a command line.
 std::vector<std::string> ThreeRadars(const fs::path& data, const fs::path& output)
 {

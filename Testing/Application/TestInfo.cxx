@@ -14,7 +14,6 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -26,12 +25,6 @@ using Json = nlohmann::json;
 
 namespace
 {
-
-// A sanitiser's exit status, or that of a signal, is none of these.
-bool IsOneOf(int status, const std::set<int>& wanted)
-{
-  return wanted.count(status) > 0;
-}
 
 fs::path WriteFile(const TemporaryFolder& folder, const std::string& name, const Bytes& bytes)
 {
@@ -276,28 +269,4 @@ TEST(Info, NamesTheDamageOfEveryDamagedFile)
     EXPECT_EQ(count, info["damage"].size()) << file;
   }
   EXPECT_EQ(withoutRays, 3);
-}
-
-TEST(Info, ReadsEveryOtherFile)
-{
-  NEXRAD_REQUIRE_TEST_DATA(data);
-  std::size_t files = 0;
-  for (const char* folder :
-    {"legacy", "multisite-20100911", "pairs", "run-kbgm-20050821", "superres", "tdwr"})
-  {
-    std::vector<std::string> words = {"info", "--json"};
-    for (const fs::path& file : FilesBelow(data / "level2" / folder))
-    {
-      words.push_back(file);
-    }
-    const ProgramRun run = RunNexrad3d(words);
-    EXPECT_TRUE(IsOneOf(run.status, {0, 3})) << folder << ": " << run.status << '\n' << run.errors;
-    for (const Json& info : Json::parse(run.output))
-    {
-      EXPECT_FALSE(info["sweeps"].empty()) << info["file"];
-      EXPECT_FALSE(info["latitude"].is_null()) << info["file"];
-      ++files;
-    }
-  }
-  EXPECT_AT_LEAST(files, 40U, "files read");
 }

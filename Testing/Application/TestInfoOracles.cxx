@@ -27,18 +27,6 @@ namespace
 
 constexpr double fiveDecimals = 0.6e-5; // what rounding to five decimals leaves open
 
-fs::path FindFile(const fs::path& data, const std::string& name)
-{
-  for (const auto& entry : fs::recursive_directory_iterator(data / "level2"))
-  {
-    if (entry.path().filename() == name)
-    {
-      return entry.path();
-    }
-  }
-  return {};
-}
-
 // Counts what it compares, so that a comparison of nothing shows.
 class Comparison
 {
@@ -280,7 +268,7 @@ int CompareOracle(const fs::path& data, const fs::path& oracle)
 {
   std::ifstream stream(oracle);
   const Json expected = Json::parse(stream);
-  const fs::path file = FindFile(data, expected["file"]);
+  const fs::path file = FindTestFile(data, expected["file"]);
   SCOPED_TRACE(file.string());
   Comparison comparison(expected, RunInfo(file, {}));
   comparison.SetInfo(RunInfo(file, comparison.GateArguments()));

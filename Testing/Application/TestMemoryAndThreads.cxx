@@ -95,7 +95,7 @@ protected:
     const auto& size = options.grid.dimensions;
     const std::string dims =
       std::to_string(size[0]) + "x" + std::to_string(size[1]) + "x" + std::to_string(size[2]);
-    const ProgramRun run = RunNexrad3d(Grid(Joined(words, {"--dims", dims})));
+    const ProgramRun run = RunNexrad3d(Grid(Joined(words, {"--dims", dims, "--step", "15min"})));
     ASSERT_EQ(run.status, 0) << run.errors;
     const double part = static_cast<double>(run.peakMemory) / static_cast<double>(need.Total());
     EXPECT_AT_MOST(part, 1.0, "peak of the memory of grid, part of what was estimated");
@@ -168,7 +168,8 @@ TEST_F(MemoryAndThreads, WhatIsSaidToFitFits)
   ASSERT_EQ(refused.status, 1);
   const std::size_t begin = refused.errors.find("--dims ") + 7;
   const std::string dims = refused.errors.substr(begin, refused.errors.find(' ', begin) - begin);
-  const ProgramRun run = RunNexrad3d(Grid({"--dims", dims, "--memory", "700MiB"}));
+  const ProgramRun run =
+    RunNexrad3d(Grid({"--dims", dims, "--memory", "700MiB", "--step", "15min"}));
   EXPECT_EQ(run.status, 0) << run.errors;
   EXPECT_AT_MOST(static_cast<double>(run.peakMemory) / (700.0 * 1024.0 * 1024.0), 1.0,
     "peak of the memory of grid, part of its limit");

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Options that are written from a request, and read again.
+#include "ErrorMessage.h"
 #include "Options/OptionTexts.h"
 
 #include "Scene/DrawingSettings.h"
 #include "TestData.h"
 #include "nexrad/Geometry/Angles.h"
-#include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
 
@@ -209,16 +209,9 @@ TEST(OptionTexts, WrongOptionsAreNamed)
     {{"--crop", "xdeg,-97deg,35deg,36deg,0,15km"}, "--crop: 'xdeg' is no place"}};
   for (const auto& [option, words] : cases)
   {
-    try
-    {
-      ReadAndWrite({option});
-      ADD_FAILURE() << option.name;
-    }
-    catch (const Error& error)
-    {
-      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
-      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
-    }
+    const std::string error = MessageOf([&] { ReadAndWrite({option}); });
+    EXPECT_NE(error.find(words), std::string::npos) << error;
+    EXPECT_EQ(error.find('\n'), std::string::npos) << error;
   }
 }
 

@@ -27,20 +27,8 @@ namespace
 
 constexpr char groundEcho[] = "level2/quality/KLSX19930707_040351.gz";
 
-GriddedVolume ReadOnly(const fs::path& folder)
-{
-  for (const auto& entry : fs::directory_iterator(folder))
-  {
-    if (entry.path().extension() == ".nxv")
-    {
-      return ReadNxv(entry.path());
-    }
-  }
-  ADD_FAILURE() << folder << " has no volume";
-  return {};
-}
-
-ProgramRun Grid(const fs::path& file, const fs::path& output, std::vector<std::string> options)
+ProgramRun GridWithQuality(
+  const fs::path& file, const fs::path& output, std::vector<std::string> options)
 {
   std::vector<std::string> arguments = {
     "grid", file, "-o", output, "--dims", "96x96x24", "--code", "exact"};
@@ -60,10 +48,11 @@ TEST(QualityControl, OffIsAMergeWithoutIt)
 {
   NEXRAD_REQUIRE_TEST_DATA(data);
   const TemporaryFolder folder;
-  const ProgramRun run = Grid(data / groundEcho, folder.Path() / "off", {"--quality", "off"});
+  const ProgramRun run =
+    GridWithQuality(data / groundEcho, folder.Path() / "off", {"--quality", "off"});
   ASSERT_EQ(run.status, 0) << run.errors;
   EXPECT_EQ(run.output.find("quality control"), std::string::npos) << run.output;
-  const GriddedVolume off = ReadOnly(folder.Path() / "off");
+  const GriddedVolume off = ReadOnlyVolume(folder.Path() / "off");
   const PolarVolume words = MakePolarVolume(ReadLevel2(data / groundEcho), MomentName::REF);
   MergeRequest request;
   request.grid = off.grid;
@@ -77,16 +66,19 @@ TEST(QualityControl, TakesGroundEchoOutByDefault)
 {
   NEXRAD_REQUIRE_TEST_DATA(data);
   const TemporaryFolder folder;
-  const ProgramRun plain = Grid(data / groundEcho, folder.Path() / "plain", {});
+  const ProgramRun plain = GridWithQuality(data / groundEcho, folder.Path() / "plain", {});
   ASSERT_EQ(plain.status, 0) << plain.errors;
   EXPECT_NE(plain.output.find("quality control (standard) took out "), std::string::npos)
     << plain.output;
   EXPECT_NE(plain.output.find("ground texture "), std::string::npos) << plain.output;
-  ASSERT_EQ(Grid(data / groundEcho, folder.Path() / "off", {"--quality", "off"}).status, 0);
-  ASSERT_EQ(Grid(data / groundEcho, folder.Path() / "strict", {"--quality", "strict"}).status, 0);
-  const GriddedVolume standard = ReadOnly(folder.Path() / "plain");
-  const GriddedVolume off = ReadOnly(folder.Path() / "off");
-  const GriddedVolume strict = ReadOnly(folder.Path() / "strict");
+  ASSERT_EQ(
+    GridWithQuality(data / groundEcho, folder.Path() / "off", {"--quality", "off"}).status, 0);
+  ASSERT_EQ(
+    GridWithQuality(data / groundEcho, folder.Path() / "strict", {"--quality", "strict"}).status,
+    0);
+  const GriddedVolume standard = ReadOnlyVolume(folder.Path() / "plain");
+  const GriddedVolume off = ReadOnlyVolume(folder.Path() / "off");
+  const GriddedVolume strict = ReadOnlyVolume(folder.Path() / "strict");
   EXPECT_EQ(Count(off, VoxelState::Filtered), 0U);
   EXPECT_AT_LEAST(Count(standard, VoxelState::Filtered), 400U, "filtered voxels of KLSX 1993");
   EXPECT_GE(Count(strict, VoxelState::Filtered), Count(standard, VoxelState::Filtered));

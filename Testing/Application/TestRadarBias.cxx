@@ -37,15 +37,7 @@ protected:
   // The only volume of a run.
   GriddedVolume Volume(const std::string& output) const
   {
-    for (const auto& entry : fs::directory_iterator(folder.Path() / output))
-    {
-      if (entry.path().extension() == ".nxv")
-      {
-        return ReadNxv(entry.path());
-      }
-    }
-    ADD_FAILURE() << output << " has no volume";
-    return {};
+    return ReadOnlyVolume(folder.Path() / output);
   }
 
   void SetUp() override

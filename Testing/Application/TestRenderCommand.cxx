@@ -27,16 +27,6 @@ namespace
 
 constexpr char small[] = "320x180";
 
-std::set<std::string> NamesIn(const fs::path& folder)
-{
-  std::set<std::string> names;
-  for (const auto& entry : fs::directory_iterator(folder))
-  {
-    names.insert(entry.path().filename());
-  }
-  return names;
-}
-
 } // namespace
 
 TEST(RenderCommand, OnePictureForEachTime)

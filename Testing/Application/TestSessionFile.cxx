@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ErrorMessage.h"
 #include "Options/SessionFile.h"
 
 #include "Options/OptionTexts.h"
@@ -25,15 +26,7 @@ std::string Refusal(const std::string& text)
   const TemporaryFolder folder;
   const std::filesystem::path path = folder.Path() / "day.nxsession";
   std::ofstream(path) << text;
-  try
-  {
-    ReadSession(path);
-  }
-  catch (const Error& error)
-  {
-    return error.what();
-  }
-  return "";
+  return MessageOf([&] { ReadSession(path); });
 }
 
 std::string SessionWith(const std::string& keys)

@@ -15,6 +15,7 @@
 
 using namespace nexrad;
 using namespace nexrad::application;
+using nexrad::testing::NamesIn;
 
 namespace
 {
@@ -40,16 +41,6 @@ Outcome Simulate(const std::vector<std::string>& arguments)
   outcome.output = ::testing::internal::GetCapturedStdout();
   outcome.errors = ::testing::internal::GetCapturedStderr();
   return outcome;
-}
-
-std::set<std::string> NamesIn(const std::filesystem::path& folder)
-{
-  std::set<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
-  {
-    names.insert(entry.path().filename().string());
-  }
-  return names;
 }
 
 } // namespace

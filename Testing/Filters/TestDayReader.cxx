@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EventCounter.h"
 #include "HandMadeVolume.h"
+#include "Scans/RadarsOfMissouri.h"
 #include "Scans/TwoRadars.h"
 #include "TestData.h"
 #include "Tolerance.h"
@@ -45,11 +46,10 @@ using nexrad::VoxelState;
 using nexrad::testing::AnyHolds;
 using nexrad::testing::ConstantVolume;
 using nexrad::testing::EventCounter;
+using nexrad::testing::keax;
+using nexrad::testing::klsx;
+using nexrad::testing::start;
 using nexrad::testing::WriteLevel2;
-
-const nexrad::Site keax = {"KEAX", nexrad::Position{38.81, -94.264, 333.0}};
-const nexrad::Site klsx = {"KLSX", nexrad::Position{38.699, -90.683, 220.0}};
-const nexrad::Time start = *nexrad::ParseIso8601("2006-03-12T18:00:00Z");
 
 /// KEAX with 10, 20 and 40 dBZ at 18:00, 18:06 and 18:12; KLSX with 50 dBZ at 18:03.
 class DayReader : public ::testing::Test

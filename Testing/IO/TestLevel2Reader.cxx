@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EventCounter.h"
 #include "HandMadeVolume.h"
+#include "Scans/RadarsOfMissouri.h"
 #include "SweepAccess.h"
 #include "TestData.h"
 #include "Tolerance.h"
@@ -36,11 +37,10 @@ namespace
 using nexrad::testing::AnyHolds;
 using nexrad::testing::EventCounter;
 using nexrad::testing::GridOf;
+using nexrad::testing::keax;
 using nexrad::testing::NameOf;
+using nexrad::testing::start;
 using nexrad::testing::TemporaryFolder;
-
-const nexrad::Site site = {"KEAX", nexrad::Position{38.81, -94.264, 333.0}};
-const nexrad::Time start = *nexrad::ParseIso8601("2006-03-12T18:00:00Z");
 
 /// Reads a file that must give no error; warnings are allowed.
 vtkNew<vtkNexradLevel2Reader> Read(const std::filesystem::path& path)
@@ -194,7 +194,7 @@ TEST(Level2Reader, PublishesItsTime)
 {
   const TemporaryFolder folder;
   const auto path = nexrad::testing::WriteLevel2(
-    folder.Path() / "file", {nexrad::testing::ConstantVolume(site, start, 20.0)});
+    folder.Path() / "file", {nexrad::testing::ConstantVolume(keax, start, 20.0)});
   vtkNew<vtkNexradLevel2Reader> reader;
   reader->SetFileName(path.c_str());
   reader->UpdateInformation();
@@ -279,7 +279,7 @@ TEST(Level2Reader, RecoversAfterAFailure)
 {
   const TemporaryFolder folder;
   const auto path = nexrad::testing::WriteLevel2(
-    folder.Path() / "file", {nexrad::testing::ConstantVolume(site, start, 20.0)});
+    folder.Path() / "file", {nexrad::testing::ConstantVolume(keax, start, 20.0)});
   vtkNew<vtkNexradLevel2Reader> reader;
   vtkNew<EventCounter> events;
   events->Observe(reader);
@@ -297,7 +297,7 @@ TEST(Level2Reader, SaysWhatItCanRead)
   const TemporaryFolder folder;
   std::ofstream(folder.Path() / "text") << "This is no radar file, and it never was one.";
   const auto path = nexrad::testing::WriteLevel2(
-    folder.Path() / "file", {nexrad::testing::ConstantVolume(site, start, 20.0)});
+    folder.Path() / "file", {nexrad::testing::ConstantVolume(keax, start, 20.0)});
   EXPECT_EQ(vtkNexradLevel2Reader::CanReadFile(path.c_str()), 1);
   EXPECT_EQ(vtkNexradLevel2Reader::CanReadFile((folder.Path() / "text").c_str()), 0);
   EXPECT_EQ(vtkNexradLevel2Reader::CanReadFile((folder.Path() / "absent").c_str()), 0);

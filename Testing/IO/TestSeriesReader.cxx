@@ -2,6 +2,7 @@
 #include "EventCounter.h"
 #include "Feed/TarMaker.h"
 #include "HandMadeVolume.h"
+#include "Scans/RadarsOfMissouri.h"
 #include "SweepAccess.h"
 #include "TestData.h"
 #include "Tolerance.h"
@@ -34,12 +35,11 @@ using nexrad::testing::AnyHolds;
 using nexrad::testing::ConstantVolume;
 using nexrad::testing::EventCounter;
 using nexrad::testing::GridOf;
+using nexrad::testing::keax;
+using nexrad::testing::klsx;
 using nexrad::testing::NameOf;
+using nexrad::testing::start;
 using nexrad::testing::WriteLevel2;
-
-const nexrad::Site keax = {"KEAX", nexrad::Position{38.81, -94.264, 333.0}};
-const nexrad::Site klsx = {"KLSX", nexrad::Position{38.699, -90.683, 220.0}};
-const nexrad::Time start = *nexrad::ParseIso8601("2006-03-12T18:00:00Z");
 
 /// KEAX at 18:00 (10 dBZ) and 18:05 (20 dBZ), KLSX at 18:02 (50 dBZ).
 class SeriesReader : public ::testing::Test

@@ -18,7 +18,7 @@ namespace
 
 using namespace nexrad::testing;
 
-constexpr int Size = 48; // points (or cells) along x and y, half as many along z
+constexpr int StormPoints = 48; // points (or cells) along x and y, half as many along z
 
 class Blanking : public AgainstRayCaster
 {
@@ -28,13 +28,16 @@ protected:
     AgainstRayCaster::SetUp();
     if (this->Stage != nullptr)
     {
-      this->UseStorm(VTK_FLOAT, Size);
+      this->UseStorm(VTK_FLOAT, StormPoints);
       this->AimCamera(false);
     }
   }
 
   /// The quarter in front, through which the tall tower is cut.
-  static bool IsHidden(vtkIdType id) { return id % Size < 18 && (id / Size) % Size < 20; }
+  static bool IsHidden(vtkIdType id)
+  {
+    return id % StormPoints < 18 && (id / StormPoints) % StormPoints < 20;
+  }
 
   static vtkSmartPointer<vtkUnsignedCharArray> MakeGhosts(vtkIdType count, unsigned char flag)
   {
@@ -110,7 +113,7 @@ TEST_F(Blanking, HiddenCells)
   vtkNew<vtkImageData> cells;
   cells->SetOrigin(this->Input->GetOrigin());
   cells->SetSpacing(this->Input->GetSpacing());
-  cells->SetDimensions(Size + 1, Size + 1, Size / 2 + 1);
+  cells->SetDimensions(StormPoints + 1, StormPoints + 1, StormPoints / 2 + 1);
   cells->GetCellData()->SetScalars(this->Input->GetPointData()->GetScalars());
   this->Input = cells;
   const vtkIdType count = cells->GetNumberOfCells();
@@ -155,7 +158,8 @@ TEST_F(Blanking, HiddenCellsOfPointScalars)
   ghosts->SetNumberOfTuples(this->Input->GetNumberOfCells());
   for (vtkIdType id = 0; id < ghosts->GetNumberOfTuples(); ++id)
   {
-    const bool hidden = id % (Size - 1) < 18 && (id / (Size - 1)) % (Size - 1) < 20;
+    const bool hidden =
+      id % (StormPoints - 1) < 18 && (id / (StormPoints - 1)) % (StormPoints - 1) < 20;
     ghosts->SetValue(id, hidden ? vtkDataSetAttributes::HIDDENCELL : 0);
   }
   this->Input->GetCellData()->AddArray(ghosts);
@@ -169,14 +173,15 @@ TEST_F(Blanking, HiddenPointsOfCellScalars)
   vtkNew<vtkImageData> cells;
   cells->SetOrigin(this->Input->GetOrigin());
   cells->SetSpacing(this->Input->GetSpacing());
-  cells->SetDimensions(Size + 1, Size + 1, Size / 2 + 1);
+  cells->SetDimensions(StormPoints + 1, StormPoints + 1, StormPoints / 2 + 1);
   cells->GetCellData()->SetScalars(this->Input->GetPointData()->GetScalars());
   vtkNew<vtkUnsignedCharArray> ghosts;
   ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
   ghosts->SetNumberOfTuples(cells->GetNumberOfPoints());
   for (vtkIdType id = 0; id < ghosts->GetNumberOfTuples(); ++id)
   {
-    const bool hidden = id % (Size + 1) < 18 && (id / (Size + 1)) % (Size + 1) < 20;
+    const bool hidden =
+      id % (StormPoints + 1) < 18 && (id / (StormPoints + 1)) % (StormPoints + 1) < 20;
     ghosts->SetValue(id, hidden ? vtkDataSetAttributes::HIDDENPOINT : 0);
   }
   cells->GetPointData()->AddArray(ghosts);

@@ -39,10 +39,10 @@ using namespace nexrad::testing;
 
 using Vector = std::array<double, 3>;
 
-constexpr int Size = 400;         // pixels along each side
-constexpr double Surface = 35.0;  // dBZ
-constexpr double Shown = 60.0;    // km that the picture is high
-constexpr double Farthest = 50.0; // km before and behind the focal point that depths are told for
+constexpr int PicturePixels = 400; // pixels along each side
+constexpr double Surface = 35.0;   // dBZ
+constexpr double Shown = 60.0;     // km that the picture is high
+constexpr double Farthest = 50.0;  // km before and behind the focal point that depths are told for
 
 /// A supercell 60 km wide and 16 km high in voxels of 500 x 500 x 250 m. Scalars: the depth behind
 /// the camera's focal plane in km, and dBZ.
@@ -56,7 +56,7 @@ protected:
     {
       return;
     }
-    this->Stage = std::make_unique<Scene>(Size, Size);
+    this->Stage = std::make_unique<Scene>(PicturePixels, PicturePixels);
     this->AimCamera();
     this->MakeStorm();
     this->Mapper->SetInputData(this->Input);
@@ -196,9 +196,9 @@ protected:
   {
     const auto shows = [&](int x, int y) { return PixelAt(picture, x, y)[0] > 0.0; };
     Offsets offsets;
-    for (int y = 1; y < Size - 1; ++y)
+    for (int y = 1; y < PicturePixels - 1; ++y)
     {
-      for (int x = 1; x < Size - 1; ++x)
+      for (int x = 1; x < PicturePixels - 1; ++x)
       {
         if (!shows(x, y) || !shows(x - 1, y) || !shows(x + 1, y) || !shows(x, y - 1) ||
             !shows(x, y + 1))
@@ -210,8 +210,8 @@ protected:
         for (std::size_t axis = 0; axis < 3; ++axis)
         {
           place[axis] = this->Focus[axis] + depth * this->Away[axis] +
-                        ((x + 0.5) / Size - 0.5) * Shown * this->Right[axis] +
-                        ((y + 0.5) / Size - 0.5) * Shown * this->Up[axis];
+                        ((x + 0.5) / PicturePixels - 0.5) * Shown * this->Right[axis] +
+                        ((y + 0.5) / PicturePixels - 0.5) * Shown * this->Up[axis];
         }
         const double off = this->VoxelsOff(place);
         ++offsets.pixels;
@@ -261,9 +261,9 @@ protected:
   static double Sparkle(const Picture& picture)
   {
     std::vector<double> found;
-    for (int y = 1; y < Size - 1; ++y)
+    for (int y = 1; y < PicturePixels - 1; ++y)
     {
-      for (int x = 1; x < Size - 1; ++x)
+      for (int x = 1; x < PicturePixels - 1; ++x)
       {
         const std::array<double, 4> beside{PixelAt(picture, x - 1, y)[0],
           PixelAt(picture, x + 1, y)[0], PixelAt(picture, x, y - 1)[0],

@@ -34,7 +34,7 @@ namespace
 
 using namespace nexrad::testing;
 
-constexpr double Edge = 8.0;
+constexpr double CubeSide = 8.0;
 
 class MapperLife : public RenderingTest
 {
@@ -45,8 +45,8 @@ protected:
     SetUniformFunctions(scene->GetProperty(), opacity);
     vtkCamera* camera = scene->GetRenderer()->GetActiveCamera();
     camera->ParallelProjectionOn();
-    camera->SetFocalPoint(Edge / 2, Edge / 2, Edge / 2);
-    camera->SetPosition(Edge / 2, Edge / 2, 30.0);
+    camera->SetFocalPoint(CubeSide / 2, CubeSide / 2, CubeSide / 2);
+    camera->SetPosition(CubeSide / 2, CubeSide / 2, 30.0);
     camera->SetParallelScale(5.0);
     camera->SetClippingRange(1.0, 60.0);
     return scene;
@@ -255,7 +255,7 @@ TEST_F(MapperLife, VolumeBeyondTheLargestTextureNamesBoth)
   {
     vtkNew<vtkImageData> rod;
     rod->SetDimensions(points, 2, 2);
-    rod->SetSpacing(Edge / (points - 1), Edge, Edge);
+    rod->SetSpacing(CubeSide / (points - 1), CubeSide, CubeSide);
     rod->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
     rod->GetPointData()->GetScalars()->Fill(1.0);
     mapper->SetInputData(rod);

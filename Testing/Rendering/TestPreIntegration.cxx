@@ -34,14 +34,14 @@ namespace
 
 using namespace nexrad::testing;
 
-constexpr double Edge = 8.0;     // of the cube, from the origin on
-constexpr double Opacity = 0.12; // of one unit
+constexpr double SlabEdge = 8.0;     // of the cube, from the origin on
+constexpr double SlabOpacity = 0.12; // of one unit
 constexpr double ViewHeight = 10.0;
 
 /// What a white volume of that opacity adds to a black pixel after a path of that length.
-double Brightness(double path)
+double SlabBrightness(double path)
 {
-  return 255.0 * (1.0 - std::pow(1.0 - Opacity, path));
+  return 255.0 * (1.0 - std::pow(1.0 - SlabOpacity, path));
 }
 
 /// Where the middle of a pixel lies in the plane of the view, from the cube's middle.
@@ -77,8 +77,8 @@ protected:
     AgainstRayCaster::SetUp();
     if (this->Stage != nullptr)
     {
-      this->UseInput(MakeUniformCube(int(Edge) + 1, 1.0f));
-      SetUniformFunctions(this->Stage->GetProperty(), Opacity);
+      this->UseInput(MakeUniformCube(int(SlabEdge) + 1, 1.0f));
+      SetUniformFunctions(this->Stage->GetProperty(), SlabOpacity);
       this->LookFrom(0.0, 0.0, 1.0);
       this->Slices->PreIntegrationOn();
     }
@@ -93,11 +93,11 @@ protected:
   /// Scalars from 0 to 1 along z.
   void UseRamp()
   {
-    this->UseInput(MakeUniformCube(int(Edge) + 1, 0.0f));
+    this->UseInput(MakeUniformCube(int(SlabEdge) + 1, 0.0f));
     vtkDataArray* scalars = this->Input->GetPointData()->GetScalars();
     for (vtkIdType id = 0; id < scalars->GetNumberOfTuples(); ++id)
     {
-      scalars->SetComponent(id, 0, double(id / 81) / Edge);
+      scalars->SetComponent(id, 0, double(id / 81) / SlabEdge);
     }
   }
 
@@ -107,9 +107,9 @@ protected:
     constexpr double away = 30.0;
     vtkCamera* camera = this->Stage->GetRenderer()->GetActiveCamera();
     const double length = std::hypot(x, y, z);
-    camera->SetFocalPoint(Edge / 2, Edge / 2, Edge / 2);
-    camera->SetPosition(
-      Edge / 2 + away * x / length, Edge / 2 + away * y / length, Edge / 2 + away * z / length);
+    camera->SetFocalPoint(SlabEdge / 2, SlabEdge / 2, SlabEdge / 2);
+    camera->SetPosition(SlabEdge / 2 + away * x / length, SlabEdge / 2 + away * y / length,
+      SlabEdge / 2 + away * z / length);
     camera->SetViewUp(0.0, 1.0, 0.0);
     camera->SetParallelScale(ViewHeight / 2);
     camera->ParallelProjectionOn();
@@ -185,10 +185,10 @@ TEST_F(PreIntegration, UniformCubeHasItsOpacityWithFewSlices)
   {
     this->LookFrom(0.0, 0.0, 1.0);
     Picture picture = this->DrawWith(slices);
-    EXPECT_WITHIN(PixelAt(picture, 64, 64)[0], Brightness(Edge), 1.0,
+    EXPECT_WITHIN(PixelAt(picture, 64, 64)[0], SlabBrightness(SlabEdge), 1.0,
       "brightness of the cube's middle, of 255", OneCode)
       << slices << " slices";
-    EXPECT_WITHIN(PixelAt(picture, 15, 64)[0], Brightness(Edge), 1.0,
+    EXPECT_WITHIN(PixelAt(picture, 15, 64)[0], SlabBrightness(SlabEdge), 1.0,
       "brightness of the cube's edge, of 255", OneCode)
       << slices << " slices";
     EXPECT_EQ(PixelAt(picture, 11, 64)[0], 0.0) << slices << " slices";
@@ -197,8 +197,8 @@ TEST_F(PreIntegration, UniformCubeHasItsOpacityWithFewSlices)
     for (const int x : {30, 64, 90})
     {
       // Across an edge: the path grows towards the middle.
-      const double path = 2.0 * (Edge / std::sqrt(2.0) - std::abs(FromMiddle(x)));
-      EXPECT_WITHIN(PixelAt(picture, x, 64)[0], Brightness(path), 1.0,
+      const double path = 2.0 * (SlabEdge / std::sqrt(2.0) - std::abs(FromMiddle(x)));
+      EXPECT_WITHIN(PixelAt(picture, x, 64)[0], SlabBrightness(path), 1.0,
         "brightness across an edge of the cube, of 255", OneCode)
         << slices << " slices";
     }
@@ -220,7 +220,7 @@ TEST_F(PreIntegration, ClippingPlanesCutWithinASlab)
       for (const int y : {35, 80})
       {
         const double path = 5.3 + 0.3 * FromMiddle(x) + 0.2 * FromMiddle(y);
-        EXPECT_WITHIN(PixelAt(picture, x, y)[0], Brightness(path), 1.0,
+        EXPECT_WITHIN(PixelAt(picture, x, y)[0], SlabBrightness(path), 1.0,
           "brightness behind a clipping plane, of 255", OneCode)
           << slices << " slices, pixel " << x << ' ' << y;
       }
@@ -236,12 +236,12 @@ TEST_F(PreIntegration, CroppingFacesCutTheVolume)
   this->Slices->SetCroppingRegionFlagsToSubVolume();
   for (const int slices : {4, 64})
   {
-    EXPECT_WITHIN(PixelAt(this->DrawWith(slices), 64, 64)[0], Brightness(3.8), 1.0,
+    EXPECT_WITHIN(PixelAt(this->DrawWith(slices), 64, 64)[0], SlabBrightness(3.8), 1.0,
       "brightness of a cropped region, of 255", OneCode);
   }
   this->Slices->SetCroppingRegionFlags(0x7ffffff & ~VTK_CROP_SUBVOLUME);
   // A slab counts as a whole where its middle is: up to half a slab at either face.
-  EXPECT_WITHIN(PixelAt(this->DrawWith(256), 64, 64)[0], Brightness(Edge - 3.8), 1.0,
+  EXPECT_WITHIN(PixelAt(this->DrawWith(256), 64, 64)[0], SlabBrightness(SlabEdge - 3.8), 1.0,
     "brightness of all regions but one, of 255", OneCode);
 }
 
@@ -265,7 +265,7 @@ TEST_F(PreIntegration, OpaqueGeometryCutsWithinASlab)
     camera->SetParallelProjection(parallel);
     for (const int slices : {4, 32})
     {
-      EXPECT_WITHIN(PixelAt(this->DrawWith(slices), 64, 64)[0], Brightness(Edge - 3.3), 1.0,
+      EXPECT_WITHIN(PixelAt(this->DrawWith(slices), 64, 64)[0], SlabBrightness(SlabEdge - 3.3), 1.0,
         "brightness before geometry, of 255", OneCode)
         << slices << " slices, " << (parallel ? "parallel" : "perspective");
     }
@@ -274,8 +274,8 @@ TEST_F(PreIntegration, OpaqueGeometryCutsWithinASlab)
       const Picture picture = this->DrawWith(4);
       for (const int x : {30, 90})
       {
-        const double path = Edge - 3.3 - 0.25 * FromMiddle(x);
-        EXPECT_WITHIN(PixelAt(picture, x, 64)[0], Brightness(path), 1.0,
+        const double path = SlabEdge - 3.3 - 0.25 * FromMiddle(x);
+        EXPECT_WITHIN(PixelAt(picture, x, 64)[0], SlabBrightness(path), 1.0,
           "brightness before tilted geometry, of 255", OneCode)
           << "pixel " << x;
       }
@@ -299,7 +299,7 @@ TEST_F(PreIntegration, HiddenPointsContributeNothing)
   this->Input->GetPointData()->AddArray(ghosts);
   for (const int slices : {16, 64})
   {
-    EXPECT_WITHIN(PixelAt(this->DrawWith(slices), 64, 64)[0], Brightness(Edge - 3.5), 1.0,
+    EXPECT_WITHIN(PixelAt(this->DrawWith(slices), 64, 64)[0], SlabBrightness(SlabEdge - 3.5), 1.0,
       "brightness beside hidden points, of 255", OneCode)
       << slices << " slices";
   }
@@ -325,7 +325,8 @@ TEST_F(PreIntegration, LayersBetweenTwoSlicesAreFoundInTheirOrder)
   this->Stage->GetProperty()->SetColor(color);
   this->Stage->GetProperty()->SetScalarOpacity(opacity);
   // The mean of -ln(1 - a) while a goes from 0 to the peak, over the thickness of a layer.
-  const double depth = ((1.0 - peak) * std::log(1.0 - peak) + peak) / peak * 2.0 * halfWidth * Edge;
+  const double depth =
+    ((1.0 - peak) * std::log(1.0 - peak) + peak) / peak * 2.0 * halfWidth * SlabEdge;
   const double first = 255.0 * (1.0 - std::exp(-depth));
   const double second = std::exp(-depth) * first;
   EXPECT_EQ(PixelAt(this->DrawSampled(4), 64, 64)[0], 0.0);

@@ -263,5 +263,5 @@ TEST_F(Shading, LightChangesThePicture)
   this->UseGradientOpacity();
   const Picture shells = this->Stage->Draw(this->Configure(this->Slices));
   EXPECT_AT_LEAST(
-    Compare(shells, unlit, background).LargestMean(), 10.0, "mean change by shells, of 255");
+    Compare(shells, unlit, background).LargestMean(), 6.0, "mean change by shells, of 255");
 }

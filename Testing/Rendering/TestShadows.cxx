@@ -32,10 +32,10 @@ namespace
 
 using namespace nexrad::testing;
 
-constexpr int Size = 128; // pixels of the window along each side
-constexpr double Edge = 8.0;
-constexpr double Opacity = 0.12; // of one unit
-constexpr int Points = 33;       // of the cube along each axis
+constexpr int WindowSize = 128; // pixels of the window along each side
+constexpr double CubeEdge = 8.0;
+constexpr double UnitOpacity = 0.12; // of one unit
+constexpr int Points = 33;           // of the cube along each axis
 
 /// A white cube from the origin on, seen along -z, with the light behind the viewer.
 class Shadows : public RenderingTest
@@ -48,15 +48,16 @@ protected:
     {
       return;
     }
-    this->Stage = std::make_unique<Scene>(Size, Size);
+    this->Stage = std::make_unique<Scene>(WindowSize, WindowSize);
     this->Input = MakeUniformCube(Points, 1.0f);
-    this->Input->SetSpacing(Edge / (Points - 1), Edge / (Points - 1), Edge / (Points - 1));
+    this->Input->SetSpacing(
+      CubeEdge / (Points - 1), CubeEdge / (Points - 1), CubeEdge / (Points - 1));
     this->Mapper->SetInputData(this->Input);
     this->Mapper->SetLightDirection(0.0, 0.0, 1.0);
-    SetUniformFunctions(this->Stage->GetProperty(), Opacity);
+    SetUniformFunctions(this->Stage->GetProperty(), UnitOpacity);
     vtkCamera* camera = this->Stage->GetRenderer()->GetActiveCamera();
-    camera->SetFocalPoint(Edge / 2, Edge / 2, Edge / 2);
-    camera->SetPosition(Edge / 2, Edge / 2, Edge + 20.0);
+    camera->SetFocalPoint(CubeEdge / 2, CubeEdge / 2, CubeEdge / 2);
+    camera->SetPosition(CubeEdge / 2, CubeEdge / 2, CubeEdge + 20.0);
     camera->SetViewUp(0.0, 1.0, 0.0);
     camera->SetParallelScale(5.0);
     camera->ParallelProjectionOn();
@@ -69,7 +70,7 @@ protected:
   }
 
   Picture Draw() { return this->Stage->Draw(this->Mapper); }
-  double Middle() { return PixelAt(this->Draw(), Size / 2, Size / 2)[0]; }
+  double Middle() { return PixelAt(this->Draw(), WindowSize / 2, WindowSize / 2)[0]; }
 
   /// The storm of the comparisons, seen from above one corner.
   void UseStorm()
@@ -138,12 +139,12 @@ double WorstDifference(const Picture& a, const Picture& b)
 // colour, so the pixel is the integral of that over what the samples in front of it let through.
 TEST_F(Shadows, ACubeLitFromTheViewerHasTheBrightnessOfTheFormula)
 {
-  const double extinction = -std::log(1.0 - Opacity);
-  const double once = 1.0 - std::exp(-extinction * Edge);
+  const double extinction = -std::log(1.0 - UnitOpacity);
+  const double once = 1.0 - std::exp(-extinction * CubeEdge);
   for (const double density : {1.0, 0.4})
   {
     const double both = 1.0 + density;
-    const double twice = (1.0 - std::exp(-both * extinction * Edge)) / both;
+    const double twice = (1.0 - std::exp(-both * extinction * CubeEdge)) / both;
     this->Mapper->SetShadowDensity(density);
     for (const double strength : {0.25, 0.5, 1.0})
     {
@@ -364,7 +365,7 @@ TEST_F(Shadows, WhatIsNotDrawnCastsNoShadow)
   EXPECT_LT(lightBelow(), 0.001);
 
   vtkNew<vtkPlane> plane;
-  plane->SetOrigin(0.0, 0.0, Edge / 2);
+  plane->SetOrigin(0.0, 0.0, CubeEdge / 2);
   plane->SetNormal(0.0, 0.0, -1.0);
   this->Mapper->AddClippingPlane(plane);
   EXPECT_EQ(lightBelow(), 1.0);
@@ -372,7 +373,7 @@ TEST_F(Shadows, WhatIsNotDrawnCastsNoShadow)
   EXPECT_LT(lightBelow(), 0.001);
 
   this->Mapper->CroppingOn();
-  this->Mapper->SetCroppingRegionPlanes(-1.0, 9.0, -1.0, 9.0, -1.0, Edge / 2);
+  this->Mapper->SetCroppingRegionPlanes(-1.0, 9.0, -1.0, 9.0, -1.0, CubeEdge / 2);
   EXPECT_EQ(lightBelow(), 1.0);
   this->Mapper->SetCroppingRegionFlags(VTK_CROP_SUBVOLUME << 9); // the region above it alone
   EXPECT_LT(lightBelow(), 0.001);
@@ -433,7 +434,7 @@ TEST_F(Shadows, AnotherWindowGetsTheSameLight)
   this->UseStorm();
   this->Mapper->SetShadowStrength(0.8);
   const Picture first = this->Draw();
-  Scene other(Size, Size);
+  Scene other(WindowSize, WindowSize);
   other.GetVolume()->SetProperty(this->Stage->GetProperty());
   other.GetRenderer()->SetActiveCamera(this->Stage->GetRenderer()->GetActiveCamera());
   EXPECT_EQ(WorstDifference(other.Draw(this->Mapper), first), 0.0);

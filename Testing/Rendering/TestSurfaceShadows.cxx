@@ -39,7 +39,7 @@ using namespace nexrad::testing;
 
 using Vector = std::array<double, 3>;
 
-constexpr int Size = 300; // pixels along each side
+constexpr int PictureEdge = 300; // pixels along each side
 
 double Dot(const Vector& a, const Vector& b)
 {
@@ -94,7 +94,7 @@ protected:
     {
       return;
     }
-    this->Stage = std::make_unique<Scene>(Size, Size);
+    this->Stage = std::make_unique<Scene>(PictureEdge, PictureEdge);
     this->Mapper->SetBlendModeToIsoSurface();
     this->SetLight({0.5, -0.3, 1.0});
     vtkVolumeProperty* property = this->Stage->GetProperty();
@@ -190,8 +190,8 @@ protected:
     vtkMath::Cross(away.data(), up.data(), right.data());
     camera->GetPosition(start.data());
     const double height = 2.0 * camera->GetParallelScale();
-    start = Along(start, right, ((x + 0.5) / Size - 0.5) * height);
-    return Along(start, up, ((y + 0.5) / Size - 0.5) * height);
+    start = Along(start, right, ((x + 0.5) / PictureEdge - 0.5) * height);
+    return Along(start, up, ((y + 0.5) / PictureEdge - 0.5) * height);
   }
 
   Vector GetSight()
@@ -322,9 +322,9 @@ TEST_F(SurfaceShadows, ABallCastsItsShadowWhereGeometrySays)
     Agreement onBall;
     Agreement onGround;
     const Vector sight = this->GetSight();
-    for (int y = 0; y < Size; ++y)
+    for (int y = 0; y < PictureEdge; ++y)
     {
-      for (int x = 0; x < Size; ++x)
+      for (int x = 0; x < PictureEdge; ++x)
       {
         const Vector start = this->FindStart(x, y);
         const double light = PixelAt(picture, x, y)[0] / 255.0;
@@ -373,9 +373,9 @@ TEST_F(SurfaceShadows, TheStormsShadowsAreThoseOfRays)
       this->Stage->GetProperty()->GetIsoSurfaceValues()->SetValue(0, value);
       const Picture picture = this->DrawWith(1.0);
       Triangles triangles(this->Input, value);
-      for (int y = 0; y < Size; y += 2)
+      for (int y = 0; y < PictureEdge; y += 2)
       {
-        for (int x = 0; x < Size; x += 2)
+        for (int x = 0; x < PictureEdge; x += 2)
         {
           const auto lit = triangles.IsLit(this->FindStart(x, y), sight, this->ToLight);
           if (lit)
@@ -464,9 +464,9 @@ TEST_F(SurfaceShadows, AnInnerSurfaceHasWhatTheOuterOneLeaves)
       const Picture picture = this->DrawWith(1.0);
       double sum = 0.0;
       int pixels = 0;
-      for (int y = 0; y < Size; ++y)
+      for (int y = 0; y < PictureEdge; ++y)
       {
-        for (int x = 0; x < Size; ++x)
+        for (int x = 0; x < PictureEdge; ++x)
         {
           const Vector start = this->FindStart(x, y);
           const auto way = Ball::Meet(start, sight, Ball::Radius - apart * cell);
@@ -496,9 +496,9 @@ TEST_F(SurfaceShadows, AConvexSurfaceDoesNotShadowItsLitSide)
     double worst = 0.0;
     double sum = 0.0;
     int pixels = 0;
-    for (int y = 0; y < Size; ++y)
+    for (int y = 0; y < PictureEdge; ++y)
     {
-      for (int x = 0; x < Size; ++x)
+      for (int x = 0; x < PictureEdge; ++x)
       {
         const Vector start = this->FindStart(x, y);
         const auto way = Ball::Meet(start, sight, 0.98 * Ball::Radius);
@@ -530,9 +530,9 @@ TEST_F(SurfaceShadows, NoLightLeaksThroughAnOpaqueSurface)
   const Vector sight = this->GetSight();
   double worst = 0.0;
   int pixels = 0;
-  for (int y = 0; y < Size; ++y)
+  for (int y = 0; y < PictureEdge; ++y)
   {
-    for (int x = 0; x < Size; ++x)
+    for (int x = 0; x < PictureEdge; ++x)
     {
       const Vector start = this->FindStart(x, y);
       const auto way = Ball::Meet(start, sight);
@@ -558,9 +558,9 @@ TEST_F(SurfaceShadows, OcclusionIsTheSkyOnTheSideOfTheEye)
   double top = 0.0;
   double beneath = 0.0;
   int pixels = 0;
-  for (int y = 0; y < Size; ++y)
+  for (int y = 0; y < PictureEdge; ++y)
   {
-    for (int x = 0; x < Size; ++x)
+    for (int x = 0; x < PictureEdge; ++x)
     {
       const Vector start = this->FindStart(x, y);
       const double off = PixelAt(without, x, y)[0] - PixelAt(with, x, y)[0];

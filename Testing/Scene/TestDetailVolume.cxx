@@ -25,7 +25,7 @@ using namespace nexrad::testing;
 namespace
 {
 
-constexpr std::array<int, 2> size = {400, 300};
+constexpr std::array<int, 2> detailSize = {400, 300};
 
 // The voxels of the storm's tower, as they are in the storm.
 vtkSmartPointer<vtkImageData> CutTower()
@@ -69,7 +69,7 @@ TEST(DetailVolume, APartInPlaceOfItselfChangesLittle)
   UseClassicLook(scene);
   scene->SetVolume(storm);
   scene->SetOption("slices", "1024");
-  OffScreenWindow window(scene->GetRenderer(), size);
+  OffScreenWindow window(scene->GetRenderer(), detailSize);
   for (const double azimuth : {20.0, 110.0, 200.0, 290.0})
   {
     for (const bool parallel : {false, true})
@@ -93,7 +93,7 @@ TEST(DetailVolume, AFinerVolumeIsSeenAndTakenAway)
   tower->GetPointData()->GetScalars()->Fill(-33.0);
   vtkNew<vtkNexradVolumeScene> scene;
   scene->SetVolume(storm);
-  OffScreenWindow window(scene->GetRenderer(), size);
+  OffScreenWindow window(scene->GetRenderer(), detailSize);
   const Picture whole = window.Draw();
   scene->SetDetail(tower);
   EXPECT_AT_LEAST(MeanDifference(window.Draw(), whole), 1.0,

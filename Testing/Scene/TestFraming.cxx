@@ -30,9 +30,9 @@ using nexrad::testing::MakeStormVolume;
 namespace
 {
 
-const Theme& theme = ThemeOf(ThemeChoice::Dark);
+const Theme& darkTheme = ThemeOf(ThemeChoice::Dark);
 
-struct Extent
+struct PictureExtent
 {
   double left = 1e9, right = -1e9, bottom = 1e9, top = -1e9;
 
@@ -40,9 +40,9 @@ struct Extent
   double Height() const { return top - bottom; }
 };
 
-Extent ExtentOf(const std::vector<ScenePoint>& points, const Projection& project)
+PictureExtent ExtentOf(const std::vector<ScenePoint>& points, const Projection& project)
 {
-  Extent extent;
+  PictureExtent extent;
   for (const ScenePoint& point : points)
   {
     const auto [x, y] = project(point);
@@ -67,14 +67,14 @@ struct Subject
       frame.Flatten();
     }
     textSize = std::max(9, std::min(size[1] / 45, size[0] / 50));
-    layer = MakeScaleLayer(frame, view, true, textSize, theme);
+    layer = MakeScaleLayer(frame, view, true, textSize, darkTheme);
     CaptionTexts texts;
     texts.title = "Reflectivity";
     texts.note = "Height above mean sea level, stretched 8 times";
     texts.information = ReadVolumeInformation(volume);
     space.size = size;
     space.right = size[0] - 5.0 * textSize;
-    space.taken = MakeCaptions(texts, size, space.right, textSize, theme, pictures).taken;
+    space.taken = MakeCaptions(texts, size, space.right, textSize, darkTheme, pictures).taken;
     FrameScene(camera, view, {layer.outline, layer.labels}, space, pictures);
   }
 
@@ -90,7 +90,7 @@ void ExpectFramed(Subject& subject, const std::string& what)
 {
   const auto& [width, height] = subject.space.size;
   const Projection project(subject.camera, subject.space.size);
-  const Extent extent = ExtentOf(subject.layer.outline, project);
+  const PictureExtent extent = ExtentOf(subject.layer.outline, project);
   EXPECT_GE(extent.left, 0.0) << what;
   EXPECT_GE(extent.bottom, 0.0) << what;
   EXPECT_LE(extent.right, subject.space.right) << what;
@@ -119,7 +119,7 @@ void ExpectFramed(Subject& subject, const std::string& what)
 
 Label MakeTestLabel(const std::string& text, const ScenePoint& point)
 {
-  return {text, point, {14, theme.marker, theme.rim},
+  return {text, point, {14, darkTheme.marker, darkTheme.rim},
     {LabelSide::Right, LabelSide::Left, LabelSide::Above, LabelSide::Below}, 8.0};
 }
 
@@ -142,7 +142,8 @@ TEST(Framing, TheSceneAndItsWordsAreWithinThePictureAndOffTheCaptions)
                                    std::to_string(azimuth) + (flat ? " flat" : "") +
                                    (parallel ? " parallel" : "");
           ExpectFramed(subject, what);
-          const Extent extent = ExtentOf(subject.layer.outline, Projection(subject.camera, size));
+          const PictureExtent extent =
+            ExtentOf(subject.layer.outline, Projection(subject.camera, size));
           least = std::min(
             least, std::max(extent.Width() / subject.space.right, extent.Height() / size[1]));
         }
@@ -242,7 +243,7 @@ TEST(LabelLayout, NamesOfStatesMayBeLeftOut)
 {
   const SceneFrame frame(MakeStormVolume(false), 8.0); // 240 km about 39° north, 90° west
   const auto labels = [&](bool names) {
-    return MakeMapLayer(frame, {{"KLSX"}, 0.0, names}, 16, theme).labels;
+    return MakeMapLayer(frame, {{"KLSX"}, 0.0, names}, 16, darkTheme).labels;
   };
   const auto find = [](const std::vector<Label>& all, const std::string& text)
   {
@@ -262,8 +263,8 @@ TEST(LabelLayout, NamesOfStatesMayBeLeftOut)
 
 TEST(TextPicture, StandsBesideItsPoint)
 {
-  const TextPicture picture("KLSX\nKILX", {16, theme.marker, theme.rim});
-  const TextPicture line("KLSX", {16, theme.marker, theme.rim});
+  const TextPicture picture("KLSX\nKILX", {16, darkTheme.marker, darkTheme.rim});
+  const TextPicture line("KLSX", {16, darkTheme.marker, darkTheme.rim});
   EXPECT_AT_LEAST(line.Size()[0], 35, "width of four letters of size 16, pixels");
   EXPECT_AT_LEAST(picture.Size()[1], 2 * 16 + 1, "height of two lines of size 16, pixels");
   EXPECT_AT_MOST(picture.Size()[1], 2.5 * 16, "height of two lines of size 16, pixels");
@@ -281,8 +282,8 @@ TEST(TextPicture, StandsBesideItsPoint)
 TEST(TextPicture, HasTwoFaces)
 {
   const std::string text = "Reflectivity 0123456789";
-  const TextPicture usual(text, {24, theme.marker, theme.rim});
-  const TextPicture bold(text, {24, theme.marker, theme.rim, true});
+  const TextPicture usual(text, {24, darkTheme.marker, darkTheme.rim});
+  const TextPicture bold(text, {24, darkTheme.marker, darkTheme.rim, true});
   EXPECT_AT_LEAST(static_cast<double>(bold.Size()[0]) / usual.Size()[0], 1.02,
     "width of bold letters, part of that of usual ones");
 }

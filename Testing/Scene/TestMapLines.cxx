@@ -16,7 +16,7 @@ using namespace nexrad::scene;
 namespace
 {
 
-std::vector<MapLine> Parse(const std::string& bytes)
+std::vector<MapLine> ParseLines(const std::string& bytes)
 {
   return ParseMapLines(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
 }
@@ -50,7 +50,7 @@ bool Passes(MapLineKind kind, double longitude, double latitude, double within)
 
 TEST(MapLines, ReadsALineWorkedOutByHand)
 {
-  const auto lines = Parse(oneLine);
+  const auto lines = ParseLines(oneLine);
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_EQ(lines[0].kind, MapLineKind::State);
   ASSERT_EQ(lines[0].points.size(), 2U);
@@ -64,26 +64,26 @@ TEST(MapLines, EveryCutIsAnError)
 {
   for (std::size_t length = 0; length < oneLine.size(); ++length)
   {
-    EXPECT_THROW(Parse(oneLine.substr(0, length)), Error) << length;
+    EXPECT_THROW(ParseLines(oneLine.substr(0, length)), Error) << length;
   }
-  EXPECT_THROW(Parse(oneLine + '\0'), Error);
+  EXPECT_THROW(ParseLines(oneLine + '\0'), Error);
 }
 
 TEST(MapLines, WrongBytesAreErrors)
 {
   std::string bytes = oneLine;
   bytes[0] = 'n';
-  EXPECT_THROW(Parse(bytes), Error) << "magic";
+  EXPECT_THROW(ParseLines(bytes), Error) << "magic";
   bytes = oneLine;
   bytes[9] = 3;
-  EXPECT_THROW(Parse(bytes), Error) << "kind";
+  EXPECT_THROW(ParseLines(bytes), Error) << "kind";
   bytes = oneLine;
   bytes[10] = 1;
-  EXPECT_THROW(Parse(bytes), Error) << "a line of one point";
+  EXPECT_THROW(ParseLines(bytes), Error) << "a line of one point";
   bytes = oneLine;
   bytes[7] = 0;
-  EXPECT_THROW(Parse(bytes), Error) << "units";
-  EXPECT_THROW(Parse(std::string("NXMAP1\n") + "\x64" + "\xff\xff\xff\xff\x0f"), Error)
+  EXPECT_THROW(ParseLines(bytes), Error) << "units";
+  EXPECT_THROW(ParseLines(std::string("NXMAP1\n") + "\x64" + "\xff\xff\xff\xff\x0f"), Error)
     << "a count above 28 bits";
 }
 

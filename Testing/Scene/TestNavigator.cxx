@@ -29,8 +29,8 @@ using namespace nexrad::testing;
 namespace
 {
 
-constexpr std::array<int, 2> size = {400, 300};
-using Pixel = std::array<double, 2>;
+constexpr std::array<int, 2> viewSize = {400, 300};
+using ViewPoint = std::array<double, 2>;
 using Place = std::array<double, 3>;
 
 // The storm in a window, seen from the south west, where its tower stands.
@@ -42,19 +42,19 @@ protected:
     UseClassicLook(scene);
     scene->SetVolume(MakeStormVolume(true));
     scene->SetTilt(25.0);
-    window = std::make_unique<OffScreenWindow>(scene->GetRenderer(), size);
+    window = std::make_unique<OffScreenWindow>(scene->GetRenderer(), viewSize);
     window->Draw();
     picker->SetScene(scene);
     navigator->SetScene(scene);
   }
 
-  int Pick(const Pixel& pixel)
+  int Pick(const ViewPoint& pixel)
   {
     return picker->Pick(pixel[0], pixel[1], 0.0, scene->GetRenderer());
   }
 
   // Where VTK draws a point of the scene.
-  Pixel PixelOf(const Place& point)
+  ViewPoint PixelOf(const Place& point)
   {
     scene->Update();
     vtkNew<vtkCoordinate> coordinate;
@@ -71,7 +71,7 @@ protected:
     return point;
   }
 
-  static double DistanceOf(const Pixel& a, const Pixel& b)
+  static double DistanceOf(const ViewPoint& a, const ViewPoint& b)
   {
     return std::hypot(a[0] - b[0], a[1] - b[1]);
   }
@@ -83,7 +83,7 @@ protected:
 };
 
 // The tower stands 70 km west and south of 39° N 90° W.
-Pixel Tower(vtkNexradVolumeScene* scene)
+ViewPoint Tower(vtkNexradVolumeScene* scene)
 {
   vtkNew<vtkCoordinate> coordinate;
   coordinate->SetCoordinateSystemToWorld();
@@ -96,7 +96,7 @@ Pixel Tower(vtkNexradVolumeScene* scene)
 
 TEST_F(Navigator, PicksTheEchoThatIsSeen)
 {
-  const Pixel pixel = Tower(scene);
+  const ViewPoint pixel = Tower(scene);
   ASSERT_EQ(this->Pick(pixel), vtkNexradEchoPicker::ECHO);
   EXPECT_EQ(picker->GetArrayName(), "REF");
   EXPECT_EQ(picker->GetUnits(), "dBZ");
@@ -126,13 +126,13 @@ TEST_F(Navigator, PicksTheGroundWhereNoEchoIsSeen)
 {
   scene->SetPreset("hail"); // the anvil is not seen
   scene->Update();
-  const Pixel corner = this->PixelOf({150.0, -150.0, 0.0});
+  const ViewPoint corner = this->PixelOf({150.0, -150.0, 0.0});
   ASSERT_EQ(this->Pick(corner), vtkNexradEchoPicker::GROUND);
   EXPECT_NEAR(picker->GetPlace()[0], 150e3, 1e-3);
   EXPECT_NEAR(picker->GetPlace()[1], -150e3, 1e-3);
   EXPECT_TRUE(std::isnan(picker->GetValue()));
   EXPECT_NE(picker->GetText().find("on the map"), std::string::npos) << picker->GetText();
-  EXPECT_EQ(this->Pick({1.0, size[1] - 1.0}), vtkNexradEchoPicker::NOTHING) << "the sky";
+  EXPECT_EQ(this->Pick({1.0, viewSize[1] - 1.0}), vtkNexradEchoPicker::NOTHING) << "the sky";
   EXPECT_EQ(picker->GetText(), "");
 }
 
@@ -143,8 +143,8 @@ TEST_F(Navigator, LooksAtAPlace)
   ASSERT_TRUE(scene->Update());
   Place place{};
   ASSERT_TRUE(scene->GetLookAt(place.data()));
-  const Pixel found = this->PixelOf({place[0] / 1000.0, place[1] / 1000.0, 8.0 * 2.0});
-  EXPECT_NEAR(DistanceOf(found, {0.5 * size[0], 0.5 * size[1]}), 0.0, 1e-6);
+  const ViewPoint found = this->PixelOf({place[0] / 1000.0, place[1] / 1000.0, 8.0 * 2.0});
+  EXPECT_NEAR(DistanceOf(found, {0.5 * viewSize[0], 0.5 * viewSize[1]}), 0.0, 1e-6);
   ASSERT_TRUE(scene->GetLookAtGeographic(place.data()));
   EXPECT_NEAR(place[0], 38.6986, 1e-6);
   EXPECT_NEAR(place[1], -90.6828, 1e-6);
@@ -165,7 +165,8 @@ TEST_F(Navigator, CentresOnAnEchoAndTurnsAboutIt)
   for (int i = 0; i < 4; ++i)
   {
     navigator->Turn(30.0, 0.0);
-    EXPECT_NEAR(DistanceOf(this->PixelOf(pivot), {0.5 * size[0], 0.5 * size[1]}), 0.0, 1e-6);
+    EXPECT_NEAR(
+      DistanceOf(this->PixelOf(pivot), {0.5 * viewSize[0], 0.5 * viewSize[1]}), 0.0, 1e-6);
     EXPECT_WITHIN(DistanceOf(this->PixelOf(pivot), this->PixelOf(above)) / height, 1.0, 0.003,
       "change of a height of 20 km where the camera turns, part");
   }
@@ -173,7 +174,7 @@ TEST_F(Navigator, CentresOnAnEchoAndTurnsAboutIt)
 
 TEST_F(Navigator, ZoomsTowardsWhatIsThere)
 {
-  const Pixel pixel = Tower(scene);
+  const ViewPoint pixel = Tower(scene);
   this->Pick(pixel);
   const Place point = this->Picked();
   for (int i = 0; i < 20; ++i)
@@ -189,7 +190,7 @@ TEST_F(Navigator, ZoomsTowardsWhatIsThere)
 TEST_F(Navigator, PansWhatItGrabbed)
 {
   const Picture before = window->Draw();
-  const Pixel pixel = Tower(scene);
+  const ViewPoint pixel = Tower(scene);
   this->Pick(pixel);
   const Place point = this->Picked();
   navigator->Grab(pixel[0], pixel[1]);

@@ -4,6 +4,7 @@
 #include "Scene/Scales/ColourScale.h"
 #include "Scene/VolumeAppearance.h"
 
+#include "ErrorMessage.h"
 #include "StormVolume.h"
 #include "TestData.h"
 #include "nexrad/Codec/NxvFile.h"
@@ -62,15 +63,7 @@ PlanView View(PlanLevel level, const std::string& array = "", double height = 0.
 
 std::string ErrorOf(const PlanOptions& plan)
 {
-  try
-  {
-    MakePlanView(SourceOf(FiveColumns()), plan);
-  }
-  catch (const Error& error)
-  {
-    return error.what();
-  }
-  return "";
+  return MessageOf([&] { MakePlanView(SourceOf(FiveColumns()), plan); });
 }
 
 } // namespace

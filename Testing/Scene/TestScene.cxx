@@ -35,7 +35,7 @@ using namespace nexrad::testing;
 namespace
 {
 
-constexpr std::array<int, 2> size = {640, 360};
+constexpr std::array<int, 2> sceneSize = {640, 360};
 
 // No light, and no automatic choices.
 SceneOptions Classic()
@@ -53,7 +53,7 @@ Picture Draw(vtkImageData* volume, const std::string& name, const SceneOptions& 
   scene->SetOptions(options);
   scene->SetView(view);
   scene->SetVolume(volume);
-  const Picture picture = OffScreenWindow(scene->GetRenderer(), size).Draw();
+  const Picture picture = OffScreenWindow(scene->GetRenderer(), sceneSize).Draw();
   KeepPicture(picture, "Scene" + name);
   return picture;
 }
@@ -63,9 +63,9 @@ template <typename Test>
 int Count(const Picture& picture, const PictureArea& part, Test test)
 {
   int count = 0;
-  for (int y = static_cast<int>(part.bottom * size[1]); y < part.top * size[1]; ++y)
+  for (int y = static_cast<int>(part.bottom * sceneSize[1]); y < part.top * sceneSize[1]; ++y)
   {
-    for (int x = static_cast<int>(part.left * size[0]); x < part.right * size[0]; ++x)
+    for (int x = static_cast<int>(part.left * sceneSize[0]); x < part.right * sceneSize[0]; ++x)
     {
       count += test(PixelOf(picture, x, y)) ? 1 : 0;
     }
@@ -77,9 +77,9 @@ int Count(const Picture& picture, const PictureArea& part, Test test)
 int LargestDifference(const Picture& a, const Picture& b)
 {
   int largest = 0;
-  for (int y = 0; y < size[1]; ++y)
+  for (int y = 0; y < sceneSize[1]; ++y)
   {
-    for (int x = 0; x < size[0]; ++x)
+    for (int x = 0; x < sceneSize[0]; ++x)
     {
       for (std::size_t colour = 0; colour < 3; ++colour)
       {
@@ -110,9 +110,9 @@ bool IsMapLine(const std::array<int, 3>& rgb)
 int Difference(const Picture& a, const Picture& b)
 {
   int differing = 0;
-  for (int y = 0; y < size[1]; ++y)
+  for (int y = 0; y < sceneSize[1]; ++y)
   {
-    for (int x = 0; x < size[0]; ++x)
+    for (int x = 0; x < sceneSize[0]; ++x)
     {
       differing += PixelOf(a, x, y) != PixelOf(b, x, y) ? 1 : 0;
     }
@@ -271,9 +271,9 @@ TEST(Scene, AMapShowsTheTablesColoursAndWhatWasNotScanned)
   // The grey strip is as high as the domain and a quarter as wide.
   const auto isGrey = isColour(ThemeOf(ThemeChoice::Dark).notScanned);
   PictureArea strip = {1.0, 0.0, 1.0, 0.0};
-  for (int y = 0; y < size[1]; ++y)
+  for (int y = 0; y < sceneSize[1]; ++y)
   {
-    for (int x = 0; x < size[0]; ++x)
+    for (int x = 0; x < sceneSize[0]; ++x)
     {
       if (isGrey(PixelOf(picture, x, y)))
       {
@@ -303,7 +303,7 @@ TEST(Scene, AVolumeThatChangesIsDrawnAnew)
 {
   vtkNew<vtkNexradVolumeScene> scene;
   scene->SetVolume(MakeStormVolume(false));
-  OffScreenWindow window(scene->GetRenderer(), size);
+  OffScreenWindow window(scene->GetRenderer(), sceneSize);
   EXPECT_AT_LEAST(Count(window.Draw(), withoutBar, IsStrongEcho), 1'000, "pixels of strong echo");
   scene->SetVolume(MakeEmptyVolume());
   EXPECT_EQ(Count(window.Draw(), withoutBar, IsStrongEcho), 0);
@@ -318,7 +318,7 @@ TEST(Scene, AMapWithoutAValueSaysSo)
   vtkNew<vtkNexradVolumeScene> scene;
   scene->SetOptions(options);
   scene->SetVolume(MakeEmptyVolume());
-  OffScreenWindow window(scene->GetRenderer(), size);
+  OffScreenWindow window(scene->GetRenderer(), sceneSize);
   constexpr PictureArea middle = {0.25, 0.7, 0.5, 0.6};
   const auto isBright = [](const std::array<int, 3>& rgb) { return rgb[0] > 200 && rgb[2] > 200; };
   const Picture said = window.Draw();
@@ -346,7 +346,7 @@ TEST(Scene, AFileIsDrawnFromItsCodesAsFromItsValues)
   session->AddFileName(index.c_str());
   ASSERT_TRUE(session->ShowTimeStep(0));
   EXPECT_EQ(session->GetScene()->GetVolume()->GetScalarType(), VTK_UNSIGNED_CHAR);
-  const Picture ofSession = OffScreenWindow(session->GetScene()->GetRenderer(), size).Draw();
+  const Picture ofSession = OffScreenWindow(session->GetScene()->GetRenderer(), sceneSize).Draw();
   for (const Picture& drawn : {Draw(codes, "OfCodes"), ofSession})
   {
     EXPECT_AT_MOST(LargestDifference(drawn, expected), 1,

@@ -5,9 +5,9 @@
 #include "Scene/Scales/ScaleLayer.h"
 #include "Scene/Shapes/Shapes.h"
 
+#include "ErrorMessage.h"
 #include "StormVolume.h"
 #include "Tolerance.h"
-#include "nexrad/System/Error.h"
 
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
@@ -23,6 +23,7 @@
 using namespace nexrad;
 using namespace nexrad::scene;
 using nexrad::testing::MakeStormVolume;
+using nexrad::testing::MessageOf;
 
 namespace
 {
@@ -132,15 +133,7 @@ TEST(InputSeries, ABoxInAnotherUnitIsRefused)
     request.grid.grid.axes = axes;
     request.box.emplace();
     request.boxUnit = unit;
-    try
-    {
-      OpenInputs(request);
-    }
-    catch (const Error& error)
-    {
-      return std::string(error.what());
-    }
-    return std::string();
+    return MessageOf([&] { OpenInputs(request); });
   };
   const std::string metres = "the box is in m or km, and the volume is on axes of longitude and "
                              "latitude; write degrees, as in -97.5deg";

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ErrorMessage.h"
 #include "Scene/VolumeAppearance.h"
 #include "TestData.h"
 
@@ -12,6 +13,7 @@
 
 using namespace nexrad;
 using namespace nexrad::scene;
+using nexrad::testing::MessageOf;
 using nexrad::testing::TemporaryFolder;
 
 // Formulas R4.
@@ -48,16 +50,8 @@ TEST(VolumeAppearance, EveryMomentHasItsOwnLook)
   SceneOptions options;
   options.preset = "velocity";
   EXPECT_EQ(ColourStepsOf(MakeTransferFunction(options, "VEL")).front().from, -60.0);
-  try
-  {
-    MakeTransferFunction(options, "REF");
-    ADD_FAILURE();
-  }
-  catch (const Error& error)
-  {
-    EXPECT_STREQ(error.what(),
-      "preset 'velocity' is of VEL, and REF is shown; choose 'all echo' or no preset");
-  }
+  const std::string error = MessageOf([&] { MakeTransferFunction(options, "REF"); });
+  EXPECT_EQ(error, "preset 'velocity' is of VEL, and REF is shown; choose 'all echo' or no preset");
 }
 
 TEST(VolumeAppearance, ColoursWithoutStepsHaveBoxesOfARoundWidth)
@@ -79,15 +73,8 @@ TEST(VolumeAppearance, AWrongPresetOrFileIsAnError)
   options = {};
   options.colours = folder.Path() / "my.csv";
   std::ofstream(options.colours) << "dbz,colour\n5,#000000\n1,#ffffff\n";
-  try
-  {
-    MakeTransferFunction(options);
-    ADD_FAILURE();
-  }
-  catch (const Error& error)
-  {
-    EXPECT_NE(std::string(error.what()).find("my.csv: line 3"), std::string::npos) << error.what();
-  }
+  const std::string error = MessageOf([&] { MakeTransferFunction(options); });
+  EXPECT_NE(error.find("my.csv: line 3"), std::string::npos) << error;
 }
 
 TEST(VolumeAppearance, RampsOfATableAreRampsOfTheScale)

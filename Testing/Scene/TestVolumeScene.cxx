@@ -31,11 +31,11 @@ using namespace nexrad::testing;
 namespace
 {
 
-constexpr std::array<int, 2> size = {400, 225};
+constexpr std::array<int, 2> smallSize = {400, 225};
 
 Picture Draw(vtkNexradVolumeScene* scene)
 {
-  return OffScreenWindow(scene->GetRenderer(), size).Draw();
+  return OffScreenWindow(scene->GetRenderer(), smallSize).Draw();
 }
 
 // A picture of the storm with these settings from the beginning.
@@ -112,9 +112,9 @@ double WrongPart(vtkNexradVolumeScene* scene, const Picture& shown, const Pictur
 {
   int wrong = 0;
   int compared = 0;
-  for (int y = 0; y < size[1]; ++y)
+  for (int y = 0; y < smallSize[1]; ++y)
   {
-    for (int x = 0; x < size[0]; ++x)
+    for (int x = 0; x < smallSize[0]; ++x)
     {
       double place[2];
       if (!scene->FindGround(x + 0.5, y + 0.5, place) || std::abs(depth(place)) < 10e3)
@@ -164,7 +164,7 @@ TEST(VolumeScene, TheCropBoxHidesExactlyWhatIsOutside)
   scene->CroppingOn();
   scene->SetCropBounds(-100e3, -20e3, -75e3, 60e3, -1e3, 30e3);
   scene->SetVolume(MakeStormVolume(true));
-  OffScreenWindow window(scene->GetRenderer(), size);
+  OffScreenWindow window(scene->GetRenderer(), smallSize);
   const Picture cropped = window.Draw();
   const auto depth = [](const double* place)
   {
@@ -186,7 +186,7 @@ TEST(VolumeScene, TheClipPlaneHidesExactlyOneSide)
   scene->SetClipOrigin(-70e3, -70e3, 0.0);
   scene->SetClipNormal(3.0, 4.0, 0.0);
   scene->SetVolume(MakeStormVolume(true));
-  OffScreenWindow window(scene->GetRenderer(), size);
+  OffScreenWindow window(scene->GetRenderer(), smallSize);
   const Picture clipped = window.Draw();
   const auto depth = [](const double* place)
   { return 0.6 * (place[0] + 70e3) + 0.8 * (place[1] + 70e3); };
@@ -198,7 +198,7 @@ TEST(VolumeScene, ACutWithoutAnInsideOrADirectionIsRefused)
 {
   vtkNew<vtkNexradVolumeScene> scene;
   scene->SetVolume(MakeStormVolume(true));
-  OffScreenWindow window(scene->GetRenderer(), size);
+  OffScreenWindow window(scene->GetRenderer(), smallSize);
   window.Draw();
   vtkNexradMessages messages;
   messages.Watch(scene);
@@ -220,7 +220,7 @@ TEST(VolumeScene, PlacesOfTheGroundAndPixelsBelongTogether)
   EXPECT_FALSE(scene->FindGround(10.0, 10.0, place)) << "before the first picture";
   UseClassicLook(scene);
   scene->SetVolume(MakeStormVolume(true));
-  OffScreenWindow window(scene->GetRenderer(), size);
+  OffScreenWindow window(scene->GetRenderer(), smallSize);
   window.Draw();
   double pixel[2];
   ASSERT_TRUE(scene->FindPixel(-70e3, 35e3, pixel));
@@ -236,7 +236,7 @@ TEST(VolumeScene, PlacesOfTheGroundAndPixelsBelongTogether)
   ASSERT_TRUE(scene->SceneToVolume(scenePoint, back));
   scene->SetTilt(2.0);
   window.Draw();
-  EXPECT_FALSE(scene->FindGround(5.0, size[1] - 5.0, place)) << "the sky";
+  EXPECT_FALSE(scene->FindGround(5.0, smallSize[1] - 5.0, place)) << "the sky";
   EXPECT_NEAR(back[2], 4e3, 1e-6);
 }
 
@@ -299,7 +299,7 @@ TEST(VolumeScene, ASettingTakesEffectInTheNextPicture)
   {
     vtkNew<vtkNexradVolumeScene> scene;
     scene->SetVolume(MakeStormVolume(true));
-    OffScreenWindow window(scene->GetRenderer(), size);
+    OffScreenWindow window(scene->GetRenderer(), smallSize);
     EXPECT_EQ(MeanDifference(window.Draw(), usual), 0.0) << name;
     set(scene);
     const Picture changed = window.Draw();
@@ -367,7 +367,7 @@ TEST(VolumeScene, SurfacesHaveShadowsAndOpacities)
   vtkNew<vtkNexradVolumeScene> scene;
   scene->SetVolume(MakeStormVolume(true));
   useSurfaces(scene);
-  OffScreenWindow window(scene->GetRenderer(), size);
+  OffScreenWindow window(scene->GetRenderer(), smallSize);
   EXPECT_EQ(MeanDifference(window.Draw(), usual), 0.0);
   useShadows(scene);
   const Picture shadowed = window.Draw();
@@ -393,7 +393,7 @@ TEST(VolumeScene, ChangesOfTheTransferFunctionAreDrawnAndKept)
   vtkNew<vtkNexradVolumeScene> scene;
   EXPECT_EQ(scene->GetTransferFunction(), nullptr);
   scene->SetVolume(MakeStormVolume(true));
-  OffScreenWindow window(scene->GetRenderer(), size);
+  OffScreenWindow window(scene->GetRenderer(), smallSize);
   const Picture usual = window.Draw();
   auto* colors = scene->GetTransferFunction();
   ASSERT_NE(colors, nullptr);
@@ -422,7 +422,7 @@ TEST(VolumeScene, DrawsSurfacesOfIsoValues)
 {
   vtkNew<vtkNexradVolumeScene> scene;
   scene->SetVolume(MakeStormVolume(true));
-  OffScreenWindow window(scene->GetRenderer(), size);
+  OffScreenWindow window(scene->GetRenderer(), smallSize);
   const Picture usual = window.Draw();
   scene->SetOption("iso-values", "45,20:0.25");
   const Picture surfaces = window.Draw();
@@ -445,7 +445,7 @@ TEST(VolumeScene, AnErrorIsReportedOnceAndLeavesThePicture)
 {
   vtkNew<vtkNexradVolumeScene> scene;
   scene->SetVolume(MakeStormVolume(true));
-  OffScreenWindow window(scene->GetRenderer(), size);
+  OffScreenWindow window(scene->GetRenderer(), smallSize);
   const Picture usual = window.Draw();
   vtkNexradMessages messages;
   messages.Watch(scene);
@@ -512,14 +512,14 @@ TEST(VolumeScene, FollowsTheSizeOfItsWindow)
   scene->SetVolume(MakeStormVolume(true));
   OffScreenWindow window(scene->GetRenderer(), {320, 240});
   window.Draw();
-  window.Window()->SetSize(size[0], size[1]);
+  window.Window()->SetSize(smallSize[0], smallSize[1]);
   EXPECT_EQ(MeanDifference(window.Draw(), DrawStorm(SetNothing)), 0.0);
 }
 
 TEST(VolumeScene, FillsARendererOfTheCallersAndLeavesItEmpty)
 {
   vtkNew<vtkRenderer> renderer;
-  OffScreenWindow window(renderer, size);
+  OffScreenWindow window(renderer, smallSize);
   {
     vtkNew<vtkNexradVolumeScene> scene;
     scene->SetRenderer(renderer);

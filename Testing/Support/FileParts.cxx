@@ -16,7 +16,7 @@ namespace nexrad::testing
 namespace
 {
 
-constexpr std::size_t headerBytes = 24;
+constexpr std::size_t volumeHeaderBytes = 24;
 
 Bytes Slice(const Bytes& bytes, std::size_t begin, std::size_t end)
 {
@@ -29,13 +29,13 @@ std::vector<std::size_t> BoundsOfMessages(const Bytes& plain, std::size_t messag
 {
   std::vector<std::size_t> bounds;
   const ByteView view(plain.data(), plain.size());
-  MessageStream stream(view.Sub(headerBytes), [](std::size_t, const std::string&) {});
+  MessageStream stream(view.Sub(volumeHeaderBytes), [](std::size_t, const std::string&) {});
   std::size_t count = 0;
   while (const auto message = stream.Next())
   {
     if (count++ % messages == 0)
     {
-      bounds.push_back(headerBytes + message->offset);
+      bounds.push_back(volumeHeaderBytes + message->offset);
     }
   }
   bounds.push_back(plain.size());
@@ -46,10 +46,10 @@ std::vector<std::size_t> BoundsOfRecords(const Bytes& plain)
 {
   std::vector<std::size_t> bounds;
   const ByteView view(plain.data(), plain.size());
-  if (FindLdmRecord(view, headerBytes) == headerBytes)
+  if (FindLdmRecord(view, volumeHeaderBytes) == volumeHeaderBytes)
   {
     for (const LdmRecord& record :
-      FindLdmRecords(view, headerBytes, [](std::size_t, const std::string&) {}))
+      FindLdmRecords(view, volumeHeaderBytes, [](std::size_t, const std::string&) {}))
     {
       bounds.push_back(record.offset);
     }
@@ -104,7 +104,7 @@ FileParts CutFile(Bytes stored, std::size_t messages)
   std::vector<std::size_t> bounds = BoundsOfRecords(plain);
   bounds = bounds.empty() ? BoundsOfMessages(plain, messages) : bounds;
   FileParts file;
-  file.header = Slice(plain, 0, headerBytes);
+  file.header = Slice(plain, 0, volumeHeaderBytes);
   for (std::size_t i = 0; i + 1 < bounds.size(); ++i)
   {
     file.parts.push_back(Slice(plain, bounds[i], bounds[i + 1]));

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "nexrad/Compression/BigEndian.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// Level II files made byte by byte, for tests of the decoder. They are written from the tables of
@@ -13,6 +16,11 @@ namespace nexrad::testing
 {
 
 using Bytes = std::vector<std::uint8_t>;
+
+inline ByteView View(const Bytes& bytes)
+{
+  return {bytes.data(), bytes.size()};
+}
 
 Bytes Join(const std::vector<Bytes>& parts);
 

@@ -114,6 +114,17 @@ inline void SetAll(NumberSweep& sweep, GateState state)
   sweep.states.assign(sweep.states.size(), state);
 }
 
+/// As the merges take volumes, which must outlive the pointers.
+inline std::vector<const PolarVolume*> PointersTo(const std::vector<PolarVolume>& volumes)
+{
+  std::vector<const PolarVolume*> pointers;
+  for (const PolarVolume& volume : volumes)
+  {
+    pointers.push_back(&volume);
+  }
+  return pointers;
+}
+
 /// A volume of one site that started `seconds` after 2006-03-12T18:00Z.
 inline PolarVolume MakeVolume(
   const Position& position, double seconds, const std::vector<NumberSweep>& sweeps)

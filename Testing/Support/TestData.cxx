@@ -25,6 +25,28 @@ bool TestDataIsRequired()
   return variable != nullptr && std::string(variable) == "1";
 }
 
+std::filesystem::path FindTestFile(const std::filesystem::path& data, const std::string& name)
+{
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(data / "level2"))
+  {
+    if (entry.path().filename() == name)
+    {
+      return entry.path();
+    }
+  }
+  return {};
+}
+
+std::set<std::string> NamesIn(const std::filesystem::path& folder)
+{
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+  {
+    names.insert(entry.path().filename().string());
+  }
+  return names;
+}
+
 std::string FileContent(const fs::path& path)
 {
   std::ifstream file(path, std::ios::binary);

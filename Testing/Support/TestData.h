@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 
 namespace nexrad::testing
@@ -14,6 +15,12 @@ std::optional<std::filesystem::path> TestDataFolder();
 
 /// Whether a test without its real files fails.
 bool TestDataIsRequired();
+
+/// The file of this name in one of the folders of level2/; "" when there is none.
+std::filesystem::path FindTestFile(const std::filesystem::path& data, const std::string& name);
+
+/// Names of what a folder holds.
+std::set<std::string> NamesIn(const std::filesystem::path& folder);
 
 /// All bytes of a file; "" when it cannot be read.
 std::string FileContent(const std::filesystem::path& path);

@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 namespace
 {
 
-constexpr double exaggeration = 3.0;
+constexpr double heightScale = 3.0;
 
 // Writes the surfaces of volumes, without a display.
 ProgramRun WriteSurfaces(
@@ -81,7 +81,7 @@ TEST_F(SurfaceFiles, SurfacesAreWhereTheStormHasTheirValue)
     for (const auto& [x, y, z] : points)
     {
       const double dBZ = Storm(static_cast<double>(x) / 1000.0, static_cast<double>(-z) / 1000.0,
-        static_cast<double>(y) / 1000.0 / exaggeration);
+        static_cast<double>(y) / 1000.0 / heightScale);
       sum += std::abs(dBZ - value);
     }
     EXPECT_AT_MOST(sum / static_cast<double>(points.size()), 1.2,
@@ -116,7 +116,7 @@ TEST_F(SurfaceFiles, NodesSayWhatTheyAre)
   EXPECT_EQ(extras.at("synthetic"), true);
   EXPECT_EQ(extras.at("time_utc"), "2006-03-12T18:30:00.000Z");
   EXPECT_EQ(extras.at("radars"), (std::vector<std::string>{"KLSX", "KILX"}));
-  EXPECT_EQ(extras.at("vertical_exaggeration"), exaggeration);
+  EXPECT_EQ(extras.at("vertical_exaggeration"), heightScale);
   EXPECT_NE(
     extras.at("projection").get<std::string>().find("+proj=aeqd +lat_0=39"), std::string::npos);
   EXPECT_NEAR(extras.at("origin").at("latitude"), 39.0, 1e-9);
@@ -180,7 +180,7 @@ TEST_F(SurfaceFiles, VtkReadsAllOfIt)
   EXPECT_GT(lines, 1000);
   EXPECT_EQ(bounds, wanted);
   // The anvil of 20 dBZ is 15 km high at most.
-  EXPECT_NEAR(bounds.GetMaxPoint()[1], 15'000.0 * exaggeration, 1'000.0 * exaggeration);
+  EXPECT_NEAR(bounds.GetMaxPoint()[1], 15'000.0 * heightScale, 1'000.0 * heightScale);
 }
 
 TEST_F(SurfaceFiles, OptionsOfPicturesCount)

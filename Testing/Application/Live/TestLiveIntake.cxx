@@ -3,6 +3,7 @@
 
 #include "Feed/ChunkMaker.h"
 #include "Feed/TarMaker.h"
+#include "Scans/RadarsOfMissouri.h"
 #include "TestData.h"
 
 #include <gtest/gtest.h>
@@ -21,9 +22,6 @@ namespace fs = std::filesystem;
 
 namespace
 {
-
-const Site keax = {"KEAX", Position{38.81, -94.264, 333.0}};
-const Time start = *ParseIso8601("2006-03-12T18:00:00Z");
 
 /// A folder into which chunks of one radar come (synthetic), by a clock that runs a thousand times
 /// as fast as the real one: half a minute of patience is 30 ms.

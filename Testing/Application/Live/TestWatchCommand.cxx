@@ -3,6 +3,7 @@
 #include "Feed/ChunkMaker.h"
 #include "HandMadeVolume.h"
 #include "ProgramRun.h"
+#include "Scans/RadarsOfMissouri.h"
 #include "TestData.h"
 
 #include <nlohmann/json.hpp>
@@ -23,10 +24,6 @@ namespace fs = std::filesystem;
 
 namespace
 {
-
-const Site keax = {"KEAX", Position{38.81, -94.264, 333.0}};
-const Site klsx = {"KLSX", Position{38.699, -90.683, 220.0}};
-const Time start = *ParseIso8601("2006-03-12T18:00:00Z");
 
 /// An hour of two radars (synthetic), in chunks and in files.
 class Watches : public ::testing::Test

@@ -2,8 +2,10 @@
 #include "ProgramRun.h"
 
 #include "TestData.h"
+#include "nexrad/Codec/NxvFile.h"
 
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -117,6 +119,24 @@ std::string Nexrad3dPath()
 ProgramRun RunNexrad3d(const std::vector<std::string>& arguments)
 {
   return RunProgram(Nexrad3dPath(), arguments);
+}
+
+GriddedVolume ReadOnlyVolume(const std::filesystem::path& folder, std::optional<MomentName> moment)
+{
+  NxvReadOptions options;
+  if (moment)
+  {
+    options.moments = {*moment};
+  }
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+  {
+    if (entry.path().extension() == ".nxv")
+    {
+      return ReadNxv(entry.path(), options);
+    }
+  }
+  ADD_FAILURE() << folder << " has no volume";
+  return {};
 }
 
 } // namespace nexrad::testing

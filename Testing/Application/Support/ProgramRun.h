@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/Model/Moment.h"
+
 #include <cstddef>
+#include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,5 +35,9 @@ std::string Nexrad3dPath();
 
 /// Runs the program nexrad3d of this build with these arguments, each passed as it is.
 ProgramRun RunNexrad3d(const std::vector<std::string>& arguments);
+
+/// The only .nxv file of a folder, all its moments or one; a failure where there is none.
+GriddedVolume ReadOnlyVolume(
+  const std::filesystem::path& folder, std::optional<MomentName> moment = {});
 
 } // namespace nexrad::testing

@@ -19,7 +19,7 @@ namespace
 
 const Bytes someBytes = {'A', 'B', 'C'};
 
-std::vector<std::string> NamesIn(const fs::path& folder)
+std::vector<std::string> NamesListed(const fs::path& folder)
 {
   std::error_code failure;
   std::vector<std::string> names;
@@ -47,8 +47,8 @@ TEST(StoredFiles, AnArchiveIsAFolder)
   EXPECT_EQ(KindOf(tar / "more"), StoredKind::Folder);
   EXPECT_EQ(KindOf(tar / "mor"), StoredKind::Nothing);
   EXPECT_EQ(KindOf(tar / "KTLX1" / "x"), StoredKind::Nothing);
-  EXPECT_EQ(NamesIn(tar), (Names{"KTLX1", "more"}));
-  EXPECT_EQ(NamesIn(tar / "more"), (Names{"KTLX2", "KTLX3"}));
+  EXPECT_EQ(NamesListed(tar), (Names{"KTLX1", "more"}));
+  EXPECT_EQ(NamesListed(tar / "more"), (Names{"KTLX2", "KTLX3"}));
   EXPECT_EQ(ReadStart(tar / "KTLX1", 2), (Bytes{'A', 'B'}));
   EXPECT_EQ(StoredSize(tar / "KTLX1"), 3U);
   EXPECT_EQ(ChangedAt(tar / "KTLX1"), fs::last_write_time(tar));
@@ -79,8 +79,8 @@ TEST(StoredFiles, CompressedArchivesAndArchivesInArchives)
       {"day.Z", Compress(MakeTar({{"middle.tar", middle}}))}})
   {
     const fs::path tar = WriteBytes(folder.Path() / name, bytes);
-    EXPECT_EQ(NamesIn(tar), Names{"middle.tar"}) << name;
-    EXPECT_EQ(NamesIn(tar / "middle.tar"), (Names{"KTLX2", "inner.tgz"})) << name;
+    EXPECT_EQ(NamesListed(tar), Names{"middle.tar"}) << name;
+    EXPECT_EQ(NamesListed(tar / "middle.tar"), (Names{"KTLX2", "inner.tgz"})) << name;
     EXPECT_EQ(ReadStart(tar / "middle.tar" / "inner.tgz" / "KTLX1", 10), someBytes) << name;
     EXPECT_TRUE(FindArchive(tar)->problems.empty()) << name;
   }
@@ -109,7 +109,7 @@ TEST(StoredFiles, HostileNames)
   const fs::path tar = WriteBytes(
     folder.Path() / "names.tar", MakeTar({{"../../KTLX1", someBytes}, {"a\nb", someBytes},
                                    {"twice", {}}, {"twice", someBytes}, {"", someBytes}}));
-  EXPECT_EQ(NamesIn(tar), (Names{"KTLX1", "a\nb", "twice"}));
+  EXPECT_EQ(NamesListed(tar), (Names{"KTLX1", "a\nb", "twice"}));
   EXPECT_EQ(StoredSize(tar / "twice"), 3U);
   EXPECT_EQ(KindOf(tar / ".." / "names.tar"), StoredKind::Nothing);
   EXPECT_EQ(FindArchive(tar)->problems.size(), 1U); // the one without a name
@@ -119,9 +119,9 @@ TEST(StoredFiles, AnArchiveThatChangedIsListedAnew)
 {
   const TemporaryFolder folder;
   const fs::path tar = WriteBytes(folder.Path() / "day.tar", MakeTar({{"one", someBytes}}));
-  EXPECT_EQ(NamesIn(tar), Names{"one"});
+  EXPECT_EQ(NamesListed(tar), Names{"one"});
   WriteBytes(tar, MakeTar({{"one", someBytes}, {"two", someBytes}}));
-  EXPECT_EQ(NamesIn(tar), (Names{"one", "two"}));
+  EXPECT_EQ(NamesListed(tar), (Names{"one", "two"}));
 }
 
 // A megabyte of gzip that would be a gigabyte: decompressed as far as radar data compress.

@@ -37,7 +37,7 @@ TiltGapValues Echoes(float below, float lower, float upper, float above)
   return values;
 }
 
-const float unknown = TiltGapValues().below;
+const float notScanned = TiltGapValues().below;
 
 } // namespace
 
@@ -53,7 +53,7 @@ TEST(TiltGap, IsTheCubicThroughFourTilts)
 TEST(TiltGap, IsStraightWhereTheTiltsBeyondContinueTheLineOrTellNothing)
 {
   for (const TiltGapValues& values : {Echoes(10.0F, 20.0F, 20.0F, 30.0F),
-         Echoes(unknown, 20.0F, 30.0F, unknown), Echoes(25.0F, 25.0F, 25.0F, 25.0F)})
+         Echoes(notScanned, 20.0F, 30.0F, notScanned), Echoes(25.0F, 25.0F, 25.0F, 25.0F)})
   {
     const TiltInterpolation between(values, EvenEdges());
     for (const float share : {0.1F, 0.5F, 0.8F})
@@ -66,11 +66,11 @@ TEST(TiltGap, IsStraightWhereTheTiltsBeyondContinueTheLineOrTellNothing)
 // Towards a tilt without echo, 0 dBZ is reached where G8 says; the tilts beyond bend that line.
 TEST(TiltGap, EndsAnEchoBeforeTheTiltWithoutOne)
 {
-  const TiltInterpolation above(Echoes(unknown, 40.0F, 0.0F, 0.0F), EvenEdges(0.8F));
+  const TiltInterpolation above(Echoes(notScanned, 40.0F, 0.0F, 0.0F), EvenEdges(0.8F));
   EXPECT_FLOAT_EQ(above.At(0.4F), 20.0F);
   EXPECT_NEAR(above.At(0.8F), 0.0F, 1e-5F);
   EXPECT_LT(above.At(0.9F), 0.0F);
-  const TiltInterpolation below(Echoes(0.0F, 0.0F, 40.0F, unknown), EvenEdges(0.8F));
+  const TiltInterpolation below(Echoes(0.0F, 0.0F, 40.0F, notScanned), EvenEdges(0.8F));
   EXPECT_FLOAT_EQ(below.At(0.6F), 20.0F);
   EXPECT_NEAR(below.At(0.2F), 0.0F, 1e-5F);
   // An echo that weakens upwards ends lower than one that is as strong below.

@@ -2,6 +2,7 @@
 // Biases of radars as text, and how they follow from differences (Formulas Q6).
 #include "nexrad/Calibration/RadarBiases.h"
 
+#include "ErrorMessage.h"
 #include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 #include <vector>
 
 using namespace nexrad;
+using nexrad::testing::MessageOf;
 
 namespace
 {
@@ -69,16 +71,9 @@ TEST(RadarBiases, AreOfRadarsAmongTheInputs)
 {
   EXPECT_NO_THROW(RequireRadars({{"KLSX", 2.0}}, {"KILX", "KLSX"}));
   EXPECT_NO_THROW(RequireRadars({}, {}));
-  try
-  {
-    RequireRadars({{"KABR", 1.0}}, {"KILX", "KLSX"});
-    FAIL() << "an unknown radar was taken";
-  }
-  catch (const Error& error)
-  {
-    EXPECT_STREQ(error.what(),
-      "a bias is given for KABR, which none of the inputs is of; they are of KILX, KLSX");
-  }
+  const std::string error = MessageOf([&] { RequireRadars({{"KABR", 1.0}}, {"KILX", "KLSX"}); });
+  EXPECT_EQ(
+    error, "a bias is given for KABR, which none of the inputs is of; they are of KILX, KLSX");
 }
 
 TEST(RadarBiases, AreStatedInLines)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Codec/NxvFile.h"
 
+#include "ErrorMessage.h"
 #include "TestData.h"
 #include "Tolerance.h"
 #include "VolumeMaker.h"
@@ -19,6 +20,7 @@ using namespace nexrad;
 using nexrad::testing::AddAncillary;
 using nexrad::testing::FileContent;
 using nexrad::testing::MakeGriddedVolume;
+using nexrad::testing::MessageOf;
 using nexrad::testing::TemporaryFolder;
 
 namespace
@@ -43,15 +45,7 @@ public:
   std::string ErrorOf(const std::string& content) const
   {
     this->Write(content);
-    try
-    {
-      last = ReadNxv(path);
-    }
-    catch (const Error& problem)
-    {
-      return problem.what();
-    }
-    return "";
+    return MessageOf([&] { last = ReadNxv(path); });
   }
 
   const GriddedVolume& Last() const { return last; }
@@ -471,16 +465,9 @@ TEST(NxvDamage, AHeaderTooDeepIsAnError)
 {
   const std::string deep(80'000, '[');
   const std::string text = "{\"dimensions\":" + deep + std::string(80'000, ']') + "}";
-  try
-  {
-    ParseNxvHeader(text);
-    FAIL();
-  }
-  catch (const Error& problem)
-  {
-    EXPECT_STREQ(problem.what(),
-      "byte 29 of the JSON text: lists and objects more than 16 deep within each other");
-  }
+  const std::string problem = MessageOf([&] { ParseNxvHeader(text); });
+  EXPECT_EQ(
+    problem, "byte 29 of the JSON text: lists and objects more than 16 deep within each other");
   // Brackets in strings are letters.
   EXPECT_THROW(ParseNxvHeader("{\"dimensions\":\"" + deep + "\"}"), Error);
   RequireShallowJson("[\"" + deep + "\\\"[[\", 1]");
@@ -495,15 +482,9 @@ TEST(NxvDamage, AnErrorShowsNoMoreOfAValueThanFitsALine)
   text.resize(text.rfind(",\"header_crc32\""));
   text.insert(text.find("[0,1,1]") + 1, "\"" + std::string(1'000, 'x') + "\",");
   text.replace(text.find(",0,1,1]"), 7, ",0,1]");
-  try
-  {
-    ParseNxvHeader(text + "}");
-    FAIL();
-  }
-  catch (const Error& problem)
-  {
-    EXPECT_LT(std::string(problem.what()).size(), 200U) << problem.what();
-  }
+  const std::string problem = MessageOf([&] { ParseNxvHeader(text + "}"); });
+  EXPECT_NE(problem, "");
+  EXPECT_LT(problem.size(), 200U) << problem;
 }
 
 TEST(NxvDamage, WhatTheCallerMakesOfAVoxelCounts)
@@ -520,16 +501,9 @@ TEST(NxvDamage, WhatTheCallerMakesOfAVoxelCounts)
 TEST(NxvDamage, NoFileIsOneClearLine)
 {
   const TemporaryFolder folder;
-  try
-  {
-    ReadNxv(folder.Path() / "none.nxv");
-    FAIL();
-  }
-  catch (const Error& problem)
-  {
-    EXPECT_EQ(std::string(problem.what()),
-      (folder.Path() / "none.nxv").string() + ": cannot be read: No such file or directory");
-  }
+  const std::string problem = MessageOf([&] { ReadNxv(folder.Path() / "none.nxv"); });
+  EXPECT_EQ(
+    problem, (folder.Path() / "none.nxv").string() + ": cannot be read: No such file or directory");
   EXPECT_THROW(ReadNxv(folder.Path()), Error);
   EXPECT_THROW(ReadNxvHeader("/dev/null"), Error);
 }

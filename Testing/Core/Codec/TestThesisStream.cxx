@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Codec/ThesisStream.h"
 
+#include "ErrorMessage.h"
 #include "VolumeMaker.h"
 #include "nexrad/System/Error.h"
 
@@ -13,6 +14,7 @@
 #include <vector>
 
 using namespace nexrad;
+using nexrad::testing::MessageOf;
 
 namespace
 {
@@ -28,15 +30,7 @@ Bytes Decode(const Bytes& stream, std::size_t count)
 
 std::string ErrorOf(const Bytes& stream, std::size_t count)
 {
-  try
-  {
-    Decode(stream, count);
-  }
-  catch (const Error& problem)
-  {
-    return problem.what();
-  }
-  return "";
+  return MessageOf([&] { Decode(stream, count); });
 }
 
 } // namespace

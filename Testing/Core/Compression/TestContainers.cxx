@@ -23,11 +23,6 @@ namespace
 
 constexpr std::size_t mebibyte = std::size_t(1) << 20;
 
-ByteView View(const Bytes& bytes)
-{
-  return {bytes.data(), bytes.size()};
-}
-
 // Bytes that repeat enough for a dictionary, and not so much that it is never filled.
 Bytes MakeText(std::size_t size)
 {

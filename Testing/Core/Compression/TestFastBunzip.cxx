@@ -35,11 +35,6 @@ Bytes Compress(const Bytes& bytes, int level)
   return compressed;
 }
 
-ByteView View(const Bytes& bytes)
-{
-  return {bytes.data(), bytes.size()};
-}
-
 void ExpectBack(const Bytes& bytes, int level, FastBunzip& reader)
 {
   const Bytes compressed = Compress(bytes, level);

@@ -14,7 +14,7 @@ namespace
 {
 
 constexpr std::size_t recordCount = 60;
-constexpr std::size_t cap = std::size_t(1) << 20;
+constexpr std::size_t recordCap = std::size_t(1) << 20;
 
 // What stands in record `index`: its number, so often that later records may be quicker to open.
 Bytes ContentOf(std::size_t index)
@@ -53,7 +53,7 @@ TEST(BunzipInParallel, HandsOverEachRecordInOrder)
     EXPECT_EQ(content.bytes, ContentOf(index));
     return true;
   };
-  BunzipInParallel(many.records, cap, receive);
+  BunzipInParallel(many.records, recordCap, receive);
   EXPECT_EQ(expected, recordCount);
 }
 
@@ -62,7 +62,7 @@ TEST(BunzipInParallel, StopsWhenTheReceiverHasEnough)
   const ManyRecords many;
   std::size_t received = 0;
   const auto receive = [&received](std::size_t, Bunzipped&&) { return ++received < 3; };
-  BunzipInParallel(many.records, cap, receive);
+  BunzipInParallel(many.records, recordCap, receive);
   EXPECT_EQ(received, 3U);
 }
 
@@ -77,7 +77,7 @@ TEST(BunzipInParallel, HandsOnWhatTheReceiverThrows)
     }
     return true;
   };
-  EXPECT_THROW(BunzipInParallel(many.records, cap, receive), std::runtime_error);
+  EXPECT_THROW(BunzipInParallel(many.records, recordCap, receive), std::runtime_error);
 }
 
 TEST(BunzipInParallel, OneBrokenRecordLeavesTheOthersWhole)
@@ -93,12 +93,12 @@ TEST(BunzipInParallel, OneBrokenRecordLeavesTheOthersWhole)
     EXPECT_TRUE(index == broken || content.bytes == ContentOf(index)) << index;
     return true;
   };
-  BunzipInParallel(many.records, cap, receive);
+  BunzipInParallel(many.records, recordCap, receive);
 }
 
 TEST(BunzipInParallel, NoRecordsAreNothingToDo)
 {
-  BunzipInParallel({}, cap,
+  BunzipInParallel({}, recordCap,
     [](std::size_t, Bunzipped&&)
     {
       ADD_FAILURE();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ErrorMessage.h"
 #include "Tolerance.h"
 #include "nexrad/Grid/MakeGrid.h"
 
@@ -12,6 +13,7 @@
 #include <string>
 
 using namespace nexrad;
+using nexrad::testing::MessageOf;
 
 namespace
 {
@@ -180,16 +182,8 @@ TEST(MakeGrid, RefusesMoreThanHalfTheEarthInMetres)
 {
   GridRequest request;
   request.bounds = GeographicBounds{-180.0, -90.0, 180.0, 90.0};
-  try
-  {
-    MakeGrid(request, threeSites);
-    FAIL() << "made a grid of the whole Earth";
-  }
-  catch (const Error& error)
-  {
-    EXPECT_NE(std::string(error.what()).find("at most 180 degrees wide"), std::string::npos)
-      << error.what();
-  }
+  const std::string error = MessageOf([&] { MakeGrid(request, threeSites); });
+  EXPECT_NE(error.find("at most 180 degrees wide"), std::string::npos) << error;
   request.axes = GridAxes::Geographic;
   EXPECT_NO_THROW(MakeGrid(request, threeSites));
   request.axes = GridAxes::Projected;

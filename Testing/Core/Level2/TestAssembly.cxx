@@ -4,6 +4,7 @@
 #include "nexrad/System/Error.h"
 
 #include "Level2Bytes.h"
+#include "Remarks.h"
 #include "TestData.h"
 #include "Tolerance.h"
 
@@ -27,30 +28,6 @@ RadarVolume Decode(const Bytes& bytes, const std::string& name = "file", Level2O
 RadarVolume DecodeRays(const std::vector<Bytes>& rays)
 {
   return Decode(Join({MakeVolumeHeader(), Join(rays)}));
-}
-
-bool HasDamage(const RadarVolume& volume, const std::string& part)
-{
-  for (const Damage& damage : volume.damage)
-  {
-    if (damage.what.find(part) != std::string::npos)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-bool HasNote(const RadarVolume& volume, const std::string& part)
-{
-  for (const std::string& note : volume.notes)
-  {
-    if (note.find(part) != std::string::npos)
-    {
-      return true;
-    }
-  }
-  return false;
 }
 
 void Write(const std::filesystem::path& path, const Bytes& bytes)

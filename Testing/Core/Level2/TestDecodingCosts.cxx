@@ -8,6 +8,7 @@
 
 #include "Faults/AllocationPeak.h"
 #include "Faults/HostileFiles.h"
+#include "Remarks.h"
 #include "TestData.h"
 #include "Tolerance.h"
 
@@ -46,12 +47,6 @@ std::size_t CountGates(const RadarVolume& volume)
     }
   }
   return gates;
-}
-
-bool HasDamage(const RadarVolume& volume, const std::string& part)
-{
-  return std::any_of(volume.damage.begin(), volume.damage.end(),
-    [&part](const Damage& damage) { return damage.what.find(part) != std::string::npos; });
 }
 
 // The largest number of different properties that rays of a moment and sweep have.

@@ -7,6 +7,7 @@
 
 #include "Faults/HostileFiles.h"
 #include "Level2Bytes.h"
+#include "Remarks.h"
 #include "Tolerance.h"
 
 #include <gtest/gtest.h>
@@ -18,17 +19,6 @@ using namespace nexrad::testing;
 
 namespace
 {
-
-ByteView View(const Bytes& bytes)
-{
-  return {bytes.data(), bytes.size()};
-}
-
-bool HasDamage(const RadarVolume& volume, const std::string& part)
-{
-  return std::any_of(volume.damage.begin(), volume.damage.end(),
-    [&part](const Damage& damage) { return damage.what.find(part) != std::string::npos; });
-}
 
 // Length and beginning of a record without content. Its blocks are the smallest: libbz2 takes 0.4
 // MB for each such record, not 3.6 MB, which the address sanitiser would mark byte by byte.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ErrorMessage.h"
 #include "Tolerance.h"
 #include "nexrad/Level2/Encoding/Level2Encoder.h"
 #include "nexrad/Level2/Level2File.h"
-#include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,7 @@
 #include <cmath>
 
 using namespace nexrad;
+using nexrad::testing::MessageOf;
 
 namespace
 {
@@ -170,15 +171,7 @@ RadarVolume RoundTrip(const RadarVolume& volume, int messageType, Level2Containe
 
 std::string EncodingError(const RadarVolume& volume, const Level2EncoderOptions& options)
 {
-  try
-  {
-    EncodeLevel2(volume, options);
-  }
-  catch (const Error& error)
-  {
-    return error.what();
-  }
-  return "";
+  return MessageOf([&] { EncodeLevel2(volume, options); });
 }
 
 constexpr Level2Container allContainers[] = {

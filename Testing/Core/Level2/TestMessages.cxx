@@ -18,11 +18,6 @@ namespace
 
 constexpr std::size_t headerBytes = 28;
 
-ByteView View(const Bytes& bytes)
-{
-  return {bytes.data(), bytes.size()};
-}
-
 // The body of a frame; the frame must outlive it.
 ByteView BodyOf(const Bytes& frame)
 {

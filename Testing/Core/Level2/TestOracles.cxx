@@ -17,6 +17,7 @@
 // compares the rest): the rays' first and last directions and times, the words' sizes and scales,
 // the sum of all words, the coverage pattern.
 using namespace nexrad;
+using nexrad::testing::FindTestFile;
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
@@ -24,18 +25,6 @@ namespace
 {
 
 constexpr double fiveDecimals = 0.6e-5;
-
-fs::path FindFile(const fs::path& data, const std::string& name)
-{
-  for (const auto& entry : fs::recursive_directory_iterator(data / "level2"))
-  {
-    if (entry.path().filename() == name)
-    {
-      return entry.path();
-    }
-  }
-  return {};
-}
 
 // All rays of one elevation number: what the decoders call a sweep.
 std::vector<const Ray*> RaysOf(const RadarVolume& volume, int elevationNumber)
@@ -154,7 +143,7 @@ int CompareFile(const fs::path& data, const Json& expected)
 {
   const std::string name = expected["file"];
   SCOPED_TRACE(name);
-  const RadarVolume volume = ReadLevel2(FindFile(data, name));
+  const RadarVolume volume = ReadLevel2(FindTestFile(data, name));
   EXPECT_TRUE(volume.headerTime);
   EXPECT_EQ(ShortTime(volume.headerTime.value_or(Time{})), expected["volume_header_time"]);
   int compared = 1 + (expected.contains("vcp_cuts") ? ComparePattern(volume, expected) : 0);

@@ -27,7 +27,7 @@ float FlipBit(float value, unsigned bit)
 }
 
 constexpr std::uint32_t day = 13017; // 2005-08-21
-constexpr std::uint32_t rayStep = 100;
+constexpr std::uint32_t rayTime = 100;
 
 // Rays of one cut, one degree apart, a tenth of a second apart.
 std::vector<RayPlan> PlanRays(unsigned count)
@@ -37,13 +37,13 @@ std::vector<RayPlan> PlanRays(unsigned count)
   {
     plans[index].number = index + 1;
     plans[index].azimuth = index;
-    plans[index].milliseconds = 9'799'000 + index * rayStep;
+    plans[index].milliseconds = 9'799'000 + index * rayTime;
     plans[index].status = index == 0 ? 3 : index + 1 == count ? 4 : 1;
   }
   return plans;
 }
 
-RadarVolume Decode(const std::vector<RayPlan>& plans)
+RadarVolume DecodeCut(const std::vector<RayPlan>& plans)
 {
   std::vector<Bytes> parts = {MakeVolumeHeader()};
   for (const RayPlan& plan : plans)
@@ -74,7 +74,7 @@ TEST(RayChecks, AFlippedBitOfAScaleOrOffsetTakesOneRaysMoment)
     MomentPlan& moment = plans[17].moments[0];
     moment.scale = bit < 32 ? FlipBit(moment.scale, bit) : moment.scale;
     moment.offset = bit < 32 ? moment.offset : FlipBit(moment.offset, bit - 32);
-    const RadarVolume volume = Decode(plans);
+    const RadarVolume volume = DecodeCut(plans);
     ASSERT_EQ(volume.RayCount() + (volume.RayCount() == 39 ? 1 : 0), 40U);
     ASSERT_EQ(volume.damage.empty() ? "" : volume.damage[0].what.substr(0, 3), "REF") << bit;
     EXPECT_EQ(volume.damage[0].offset, OffsetOf(plans, 17)) << bit;
@@ -98,7 +98,7 @@ TEST(RayChecks, ACodingOfImpossibleValuesIsDamageInAllRays)
   {
     plan.moments[0].scale = -2.0F;
   }
-  const RadarVolume volume = Decode(plans);
+  const RadarVolume volume = DecodeCut(plans);
   EXPECT_FALSE(volume.sweeps[0].Has(MomentName::REF));
   ASSERT_EQ(volume.damage.size(), 1U);
   EXPECT_NE(volume.damage[0].what.find("scale -2, offset 66 and 8 bits"), std::string::npos)
@@ -132,11 +132,11 @@ TEST(RayChecks, AWrongDateOfOneRayDoesNotStretchTheVolume)
     {
       std::vector<RayPlan> plans = PlanRays(40);
       plans[wrong].day = date;
-      const RadarVolume volume = Decode(plans);
+      const RadarVolume volume = DecodeCut(plans);
       const Time first = FromLevel2Date(day, 9'799'000);
       EXPECT_EQ(volume.RayCount(), 40U);
       EXPECT_GE(*volume.Start(), first);
-      EXPECT_LE(*volume.End(), first + 40 * Duration(rayStep));
+      EXPECT_LE(*volume.End(), first + 40 * Duration(rayTime));
       ASSERT_EQ(volume.damage.size(), 1U);
       EXPECT_EQ(volume.damage[0].offset, OffsetOf(plans, wrong));
       EXPECT_NE(volume.damage[0].what.find("hours from the other rays"), std::string::npos);
@@ -154,7 +154,7 @@ TEST(RayChecks, VolumesHoursApartInOneFileKeepTheirTimes)
   }
   plans[39].status = 4;
   plans[40].status = 3;
-  const RadarVolume volume = Decode(plans);
+  const RadarVolume volume = DecodeCut(plans);
   EXPECT_TRUE(volume.damage.empty()) << volume.damage[0].what;
   EXPECT_GT(*volume.End() - *volume.Start(), 5h);
 }
@@ -169,10 +169,10 @@ TEST(RayChecks, WithoutAMajorityTheHeadersTimeDecides)
     plans[index].day = day + 200 * (index + 7) % 1000; // the fourth is that of the header
   }
   ASSERT_EQ(plans[3].day, day);
-  const RadarVolume volume = Decode(plans);
+  const RadarVolume volume = DecodeCut(plans);
   ASSERT_EQ(volume.RayCount(), 5U);
   EXPECT_EQ(*volume.Start(), FromLevel2Date(day, 9'799'000));
-  EXPECT_EQ(*volume.End(), FromLevel2Date(day, 9'799'000 + 4 * rayStep));
+  EXPECT_EQ(*volume.End(), FromLevel2Date(day, 9'799'000 + 4 * rayTime));
 }
 
 // No real file has a coding or a date that the checks take for wrong.

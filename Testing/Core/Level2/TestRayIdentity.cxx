@@ -4,6 +4,7 @@
 
 #include "FileParts.h"
 #include "Level2Bytes.h"
+#include "Remarks.h"
 
 #include <gtest/gtest.h>
 
@@ -56,31 +57,6 @@ Bytes Encode(const std::vector<RayPlan>& plans, unsigned messageType = 31,
 RadarVolume Decode(const std::vector<RayPlan>& plans, unsigned messageType = 31)
 {
   return DecodeLevel2(Encode(plans, messageType), "file");
-}
-
-std::string DamageOf(const RadarVolume& volume)
-{
-  std::string text;
-  for (const Damage& damage : volume.damage)
-  {
-    text += damage.what + '\n';
-  }
-  return text;
-}
-
-std::string NotesOf(const RadarVolume& volume)
-{
-  std::string text;
-  for (const std::string& note : volume.notes)
-  {
-    text += note + '\n';
-  }
-  return text;
-}
-
-bool Has(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
 }
 
 void ChangeCut(

@@ -76,6 +76,15 @@ TEST(RealFiles, TwinsInOtherContainersHoldTheSameRays)
   ExpectTwins(folder / "KTLX20100501_000444.bin", folder / "KTLX20100501_000444_V03.gz");
 }
 
+// A whole file in one bzip2 stream, which no oracle describes.
+TEST(RealFiles, AnArchiveOfOneStreamIsRead)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const RadarVolume volume = ReadLevel2(data / "level2/superres/example_nexrad_archive_msg31.bz2");
+  EXPECT_FALSE(volume.sweeps.empty()) << Describe(volume);
+  EXPECT_TRUE(volume.site.position) << Describe(volume);
+}
+
 // At least the rays that a plain walk from frame to frame finds before it loses its way.
 TEST(RealFiles, DamagedFilesGiveTheirReadableRays)
 {

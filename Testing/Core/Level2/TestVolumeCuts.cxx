@@ -3,6 +3,7 @@
 #include "nexrad/Level2/Level2File.h"
 
 #include "Level2Bytes.h"
+#include "Remarks.h"
 #include "nexrad/Level2/VolumeEnding.h"
 
 #include <gtest/gtest.h>
@@ -61,28 +62,6 @@ private:
 };
 
 const std::vector<double> fiveAngles = {0.5, 1.0, 1.5, 2.0, 2.5};
-
-std::string DamageOf(const RadarVolume& volume)
-{
-  std::string text;
-  for (const Damage& damage : volume.damage)
-  {
-    text += damage.what + '\n';
-  }
-  return text;
-}
-
-bool HasNote(const RadarVolume& volume, const std::string& part)
-{
-  for (const std::string& note : volume.notes)
-  {
-    if (note.find(part) != std::string::npos)
-    {
-      return true;
-    }
-  }
-  return false;
-}
 
 } // namespace
 

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Live/AwaitedEnds.h"
 
+#include "Scans/RadarsOfMissouri.h"
+
 #include <gtest/gtest.h>
 
 #include <string>
 
 using namespace nexrad;
+using nexrad::testing::noon;
 using namespace std::chrono_literals;
 
 namespace
 {
-
-const Time noon = *ParseIso8601("2006-03-12T12:00:00Z");
 
 // A volume of a minute; of one without its end two minutes are left.
 ScannedFile FileOf(const std::string& name, Time start, bool hasEnd)

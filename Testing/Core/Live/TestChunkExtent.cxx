@@ -2,6 +2,7 @@
 #include "nexrad/Live/ChunkExtent.h"
 
 #include "Feed/ChunkMaker.h"
+#include "Scans/RadarsOfMissouri.h"
 #include "nexrad/Level2/Encoding/Level2Encoder.h"
 
 #include <gtest/gtest.h>
@@ -12,15 +13,12 @@ using namespace nexrad::testing;
 namespace
 {
 
-const Site site = {"KEAX", Position{38.81, -94.264, 333.0}};
-const Time start = *ParseIso8601("2006-03-12T18:00:00Z");
-
 } // namespace
 
 // A file that somebody is still writing has fewer bytes than its lengths say, wherever it ends.
 TEST(ChunkExtents, EveryChunkIsCutUntilItsLastByteCame)
 {
-  for (const MadeChunk& chunk : CutIntoChunks(VolumeOfSweeps(site, start, 1, 20.0)))
+  for (const MadeChunk& chunk : CutIntoChunks(VolumeOfSweeps(keax, start, 1, 20.0)))
   {
     const std::size_t size = chunk.bytes.size();
     EXPECT_EQ(ExtentOfChunk(ByteView(chunk.bytes.data(), size)), ChunkExtent::Whole) << chunk.name;
@@ -38,10 +36,10 @@ TEST(ChunkExtents, AFileIsWholeWithItsLastRecordAlone)
 {
   Level2EncoderOptions options;
   options.messageType = 31;
-  const auto bytes = EncodeLevel2(VolumeOfSweeps(site, start, 2, 20.0), options);
+  const auto bytes = EncodeLevel2(VolumeOfSweeps(keax, start, 2, 20.0), options);
   EXPECT_EQ(ExtentOfFile(ByteView(bytes.data(), bytes.size())), ChunkExtent::Whole);
   std::size_t end = 0;
-  for (const MadeChunk& chunk : CutIntoChunks(VolumeOfSweeps(site, start, 2, 20.0)))
+  for (const MadeChunk& chunk : CutIntoChunks(VolumeOfSweeps(keax, start, 2, 20.0)))
   {
     end += chunk.bytes.size();
     EXPECT_EQ(ExtentOfFile(ByteView(bytes.data(), end)),

@@ -2,6 +2,7 @@
 #include "nexrad/Live/ChunkedVolume.h"
 
 #include "Feed/ChunkMaker.h"
+#include "Scans/RadarsOfMissouri.h"
 #include "TestData.h"
 #include "nexrad/Level2/ChunkFolder.h"
 #include "nexrad/Level2/Level2File.h"
@@ -19,9 +20,6 @@ using namespace nexrad::testing;
 
 namespace
 {
-
-const Site site = {"KEAX", Position{38.81, -94.264, 333.0}};
-const Time start = *ParseIso8601("2006-03-12T18:00:00Z");
 
 ChunkedVolume::Arrival Add(ChunkedVolume& volume, const MadeChunk& chunk)
 {
@@ -81,7 +79,7 @@ std::vector<MadeChunk> ChunksIn(const std::filesystem::path& folder)
 TEST(ChunkedVolumes, InAnyOrderAndRepeatedlyGiveTheVolumeOfTheFolder)
 {
   const TemporaryFolder folder;
-  std::vector<MadeChunk> chunks = CutIntoChunks(VolumeOfSweeps(site, start, 4, 20.0));
+  std::vector<MadeChunk> chunks = CutIntoChunks(VolumeOfSweeps(keax, start, 4, 20.0));
   ASSERT_EQ(chunks.size(), 13U) << "metadata, and three records a sweep";
   WriteChunks(folder.Path(), chunks);
   const RadarVolume expected = ReadLevel2(folder.Path());
@@ -108,7 +106,7 @@ TEST(ChunkedVolumes, InAnyOrderAndRepeatedlyGiveTheVolumeOfTheFolder)
 TEST(ChunkedVolumes, ASweepIsCompleteWithItsLastRay)
 {
   ChunkedVolume volume("folder", {});
-  const auto chunks = CutIntoChunks(VolumeOfSweeps(site, start, 3, 20.0));
+  const auto chunks = CutIntoChunks(VolumeOfSweeps(keax, start, 3, 20.0));
   for (std::size_t i = 0; i < chunks.size(); ++i)
   {
     Add(volume, chunks[i]);
@@ -128,7 +126,7 @@ TEST(ChunkedVolumes, ASweepIsCompleteWithItsLastRay)
 // The radar may break a sweep off; the next one shows it.
 TEST(ChunkedVolumes, ASweepThatBreaksOffIsCompleteWithTheNext)
 {
-  RadarVolume broken = VolumeOfSweeps(site, start, 2, 20.0);
+  RadarVolume broken = VolumeOfSweeps(keax, start, 2, 20.0);
   broken.sweeps[0].rays.resize(240);
   ChunkedVolume volume("folder", {});
   const auto chunks = CutIntoChunks(broken);
@@ -144,7 +142,7 @@ TEST(ChunkedVolumes, ASweepThatBreaksOffIsCompleteWithTheNext)
 TEST(ChunkedVolumes, WhatFollowsAMissingChunkWaitsForIt)
 {
   const TemporaryFolder folder;
-  const auto chunks = CutIntoChunks(VolumeOfSweeps(site, start, 3, 20.0));
+  const auto chunks = CutIntoChunks(VolumeOfSweeps(keax, start, 3, 20.0));
   ChunkedVolume volume(folder.Path().string(), {});
   for (const MadeChunk& chunk : chunks)
   {
@@ -174,7 +172,7 @@ TEST(ChunkedVolumes, WhatFollowsAMissingChunkWaitsForIt)
 
 TEST(ChunkedVolumes, OtherBytesTakeThePlaceOfThoseBefore)
 {
-  const auto chunks = CutIntoChunks(VolumeOfSweeps(site, start, 1, 20.0));
+  const auto chunks = CutIntoChunks(VolumeOfSweeps(keax, start, 1, 20.0));
   ChunkedVolume volume("folder", {});
   for (MadeChunk chunk : chunks)
   {
@@ -188,7 +186,7 @@ TEST(ChunkedVolumes, OtherBytesTakeThePlaceOfThoseBefore)
 
 TEST(ChunkedVolumes, AClosedOneKnowsItsChunks)
 {
-  const auto chunks = CutIntoChunks(VolumeOfSweeps(site, start, 1, 20.0));
+  const auto chunks = CutIntoChunks(VolumeOfSweeps(keax, start, 1, 20.0));
   ChunkedVolume volume("folder", {});
   Add(volume, chunks[0]);
   Add(volume, chunks[1]);

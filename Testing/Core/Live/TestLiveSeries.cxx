@@ -2,6 +2,7 @@
 #include "nexrad/Live/LiveSeries.h"
 
 #include "Feed/ChunkMaker.h"
+#include "Scans/RadarsOfMissouri.h"
 #include "TestData.h"
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Live/ChunkedVolume.h"
@@ -21,10 +22,6 @@ namespace fs = std::filesystem;
 
 namespace
 {
-
-const Site keax = {"KEAX", Position{38.81, -94.264, 333.0}};
-const Site klsx = {"KLSX", Position{38.699, -90.683, 220.0}};
-const Time start = *ParseIso8601("2006-03-12T18:00:00Z");
 
 /// Half an hour of two radars (synthetic), a folder of chunks for each volume.
 class LiveMerges : public ::testing::Test

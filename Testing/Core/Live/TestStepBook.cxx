@@ -3,15 +3,16 @@
 
 #include "nexrad/System/Error.h"
 
+#include "Scans/RadarsOfMissouri.h"
+
 #include <gtest/gtest.h>
 
 using namespace nexrad;
+using nexrad::testing::noon;
 using namespace std::chrono_literals;
 
 namespace
 {
-
-const Time noon = *ParseIso8601("2006-03-12T12:00:00Z");
 
 } // namespace
 

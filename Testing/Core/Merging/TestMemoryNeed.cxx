@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Merging/MemoryNeed.h"
 
+#include "ErrorMessage.h"
 #include "TestData.h"
 #include "nexrad/Merging/SeriesMerger.h"
-#include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +11,7 @@
 #include <string>
 
 using namespace nexrad;
+using nexrad::testing::MessageOf;
 using nexrad::testing::TemporaryFolder;
 
 namespace
@@ -28,15 +29,7 @@ MemoryNeed Need(const MergeOptions& options)
 // What a need above the limit is refused with; "" when it is not.
 std::string Refusal(const MergeOptions& options)
 {
-  try
-  {
-    RequireMemory(options, {}, 2, written);
-    return "";
-  }
-  catch (const Error& error)
-  {
-    return error.what();
-  }
+  return MessageOf([&] { RequireMemory(options, {}, 2, written); });
 }
 
 } // namespace
@@ -171,13 +164,6 @@ TEST(MemoryNeed, AMergerRefusesBeforeItDecodes)
   options.grid.dimensions = {1024, 1024, 256};
   options.memoryLimit = {gibibyte, "--memory"};
   SeriesMerger merger({folder.Path() / "file"}, options);
-  try
-  {
-    merger.Open();
-    FAIL() << "not refused";
-  }
-  catch (const Error& error)
-  {
-    EXPECT_NE(std::string(error.what()).find("1024x1024x256"), std::string::npos) << error.what();
-  }
+  const std::string error = MessageOf([&] { merger.Open(); });
+  EXPECT_NE(error.find("1024x1024x256"), std::string::npos) << error;
 }

@@ -8,6 +8,8 @@
 
 #include "HandMadeVolume.h"
 #include "MovingEcho.h"
+#include "Scans/RadarsOfMissouri.h"
+#include "SweepMaker.h"
 #include "TestData.h"
 #include "Tolerance.h"
 #include "VolumePart.h"
@@ -27,7 +29,6 @@ namespace
 using namespace std::chrono_literals;
 using namespace nexrad::testing;
 
-const Time noon = *ParseIso8601("2006-03-12T12:00:00Z");
 const Position middle = {38.7, -92.0, 200.0};
 
 // Two radars 90 km apart and a third 330 km from the first, each with a volume before noon and one
@@ -82,16 +83,6 @@ MergeRequest Request(const GridSpecification& grid = OddGrid())
   request.grid = grid;
   request.time = noon;
   return request;
-}
-
-std::vector<const PolarVolume*> PointersTo(const std::vector<PolarVolume>& volumes)
-{
-  std::vector<const PolarVolume*> pointers;
-  for (const PolarVolume& volume : volumes)
-  {
-    pointers.push_back(&volume);
-  }
-  return pointers;
 }
 
 // The grid in `parts` along an axis, as even as it goes.

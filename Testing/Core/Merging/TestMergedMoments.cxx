@@ -3,6 +3,7 @@
 #include "nexrad/Merging/SeriesMerger.h"
 
 #include "HandMadeVolume.h"
+#include "Scans/RadarsOfMissouri.h"
 #include "TestData.h"
 #include "VolumePart.h"
 #include "nexrad/Grid/VolumeMoments.h"
@@ -24,12 +25,11 @@ namespace
 using namespace std::chrono_literals;
 using testing::HandMadeMoment;
 using testing::HandMadeVolume;
+using testing::keax;
+using testing::klsx;
+using testing::start;
 using testing::TemporaryFolder;
 using testing::WriteLevel2;
-
-const Site keax = {"KEAX", Position{38.81, -94.264, 333.0}};
-const Site klsx = {"KLSX", Position{38.699, -90.683, 220.0}};
-const Time start = *ParseIso8601("2006-03-12T18:00:00Z");
 
 // A moment that is nowhere the same, with gates below the threshold, and range folded where that is
 // asked for.
@@ -106,7 +106,7 @@ protected:
   MergeOptions options;
 };
 
-void ExpectSame(const GriddedVolume& actual, const GriddedVolume& expected)
+void ExpectSameMoment(const GriddedVolume& actual, const GriddedVolume& expected)
 {
   EXPECT_EQ(actual.moment, expected.moment);
   EXPECT_EQ(actual.time, expected.time);
@@ -136,8 +136,8 @@ TEST_F(MergingMoments, OneRunGivesWhatARunForEachGives)
     std::optional<GriddedVolume> merged = both->Merge(time, {}, {}, std::move(memory));
     ASSERT_TRUE(merged);
     ASSERT_EQ(merged->further.size(), 1U);
-    ExpectSame(*merged, *reflectivity->Merge(time));
-    ExpectSame(merged->further[0], *velocity->Merge(time));
+    ExpectSameMoment(*merged, *reflectivity->Merge(time));
+    ExpectSameMoment(merged->further[0], *velocity->Merge(time));
     const std::vector<VoxelState>& states = merged->further[0].states;
     echoes += std::count(states.begin(), states.end(), VoxelState::Echo);
     folded =
@@ -160,8 +160,8 @@ TEST_F(MergingMoments, TheFirstNamedIsTheVolumesOwn)
   const std::vector<GriddedVolume> moments = SplitMoments(*merger->Merge(start + 12min));
   ASSERT_EQ(moments.size(), 2U);
   EXPECT_EQ(moments[0].moment, MomentName::VEL);
-  ExpectSame(moments[0], *this->Open({MomentName::VEL})->Merge(start + 12min));
-  ExpectSame(moments[1], *this->Open({MomentName::REF})->Merge(start + 12min));
+  ExpectSameMoment(moments[0], *this->Open({MomentName::VEL})->Merge(start + 12min));
+  ExpectSameMoment(moments[1], *this->Open({MomentName::REF})->Merge(start + 12min));
 }
 
 TEST_F(MergingMoments, AnyOrderOfTimesGivesTheSameFromTheCache)
@@ -173,7 +173,7 @@ TEST_F(MergingMoments, AnyOrderOfTimesGivesTheSameFromTheCache)
   both->EndAt(start + 30min);
   for (const Duration after : {Duration(8min), Duration(24min), Duration(8min)})
   {
-    ExpectSame(both->Merge(start + after)->further[0], *velocity->Merge(start + after));
+    ExpectSameMoment(both->Merge(start + after)->further[0], *velocity->Merge(start + after));
   }
   EXPECT_LE(both->DecodedFiles(), files);
 }
@@ -193,8 +193,8 @@ TEST_F(MergingMoments, ABlockIsAPartOfTheWhole)
     const VoxelBlock block = {{half, 0, 0}, {half + 12, 12, 4}};
     const GriddedVolume expected = testing::TakePart(all, block);
     const GriddedVolume made = *blocks->Merge(start + 12min, {}, block);
-    ExpectSame(made, expected);
-    ExpectSame(made.further.at(0), expected.further.at(0));
+    ExpectSameMoment(made, expected);
+    ExpectSameMoment(made.further.at(0), expected.further.at(0));
   }
 }
 

@@ -2,7 +2,9 @@
 #include "nexrad/Merging/SeriesMerger.h"
 
 #include "DirectMerge.h"
+#include "ErrorMessage.h"
 #include "HandMadeVolume.h"
+#include "Scans/RadarsOfMissouri.h"
 #include "TestData.h"
 #include "Tolerance.h"
 #include "nexrad/Series/InputFiles.h"
@@ -19,13 +21,12 @@ namespace
 using namespace std::chrono_literals;
 using testing::ConstantVolume;
 using testing::DirectMerge;
+using testing::keax;
+using testing::klsx;
 using testing::SetHeaderTime;
+using testing::start;
 using testing::TemporaryFolder;
 using testing::WriteLevel2;
-
-const Site keax = {"KEAX", Position{38.81, -94.264, 333.0}};
-const Site klsx = {"KLSX", Position{38.699, -90.683, 220.0}};
-const Time start = *ParseIso8601("2006-03-12T18:00:00Z");
 
 /// An hour of two radars, a volume every 5 and every 6 minutes, each with a value of its own.
 class MergingASeries : public ::testing::Test
@@ -280,15 +281,8 @@ TEST_F(MergingASeries, OneTimeNeedsItsFilesAlone)
   EXPECT_EQ(merger.Times(), std::vector<Time>{start + 21min});
   this->ExpectAsDirect(merger, start + 21min);
   options.time = start + 3h;
-  try
-  {
-    this->InAnyOrder().Open();
-    FAIL();
-  }
-  catch (const Error& error)
-  {
-    EXPECT_NE(std::string(error.what()).find("18:00:00.000Z to "), std::string::npos);
-  }
+  const std::string error = testing::MessageOf([&] { this->InAnyOrder().Open(); });
+  EXPECT_NE(error.find("18:00:00.000Z to "), std::string::npos);
 }
 
 TEST_F(MergingASeries, StopsWhenAsked)

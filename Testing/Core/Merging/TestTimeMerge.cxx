@@ -5,6 +5,8 @@
 
 #include "HandMadeVolume.h"
 #include "MovingEcho.h"
+#include "Scans/RadarsOfMissouri.h"
+#include "SweepMaker.h"
 #include "TestData.h"
 #include "Tolerance.h"
 #include "nexrad/System/Error.h"
@@ -22,10 +24,10 @@ namespace
 
 using namespace std::chrono_literals;
 using testing::ConstantVolume;
-
-const Site keax = {"KEAX", Position{38.81, -94.264, 333.0}};
-const Site klsx = {"KLSX", Position{38.699, -90.683, 220.0}};
-const Time start = *ParseIso8601("2006-03-12T18:00:00Z");
+using testing::keax;
+using testing::klsx;
+using testing::PointersTo;
+using testing::start;
 
 PolarVolume Polar(const Site& site, Time time, double reflectivity)
 {
@@ -147,16 +149,6 @@ std::vector<PolarVolume> ScanStorms(MomentName moment = MomentName::REF)
     volume.moment = moment;
   }
   return volumes;
-}
-
-std::vector<const PolarVolume*> PointersTo(const std::vector<PolarVolume>& volumes)
-{
-  std::vector<const PolarVolume*> pointers;
-  for (const PolarVolume& volume : volumes)
-  {
-    pointers.push_back(&volume);
-  }
-  return pointers;
 }
 
 MergeRequest BeamRequest(Duration after)

@@ -2,6 +2,7 @@
 #include "nexrad/Merging/VolumeLoader.h"
 
 #include "HandMadeVolume.h"
+#include "Scans/RadarsOfMissouri.h"
 #include "TestData.h"
 #include "Tolerance.h"
 #include "nexrad/Series/ScanInputs.h"
@@ -24,13 +25,12 @@ namespace
 
 using namespace std::chrono_literals;
 using testing::ConstantVolume;
+using testing::keax;
+using testing::klsx;
 using testing::SetHeaderTime;
+using testing::start;
 using testing::TemporaryFolder;
 using testing::WriteLevel2;
-
-const Site keax = {"KEAX", Position{38.81, -94.264, 333.0}};
-const Site klsx = {"KLSX", Position{38.699, -90.683, 220.0}};
-const Time start = *ParseIso8601("2006-03-12T18:00:00Z");
 
 /// Three hours of two radars, a volume every 5 and every 6 minutes, and what a stream does to them.
 class VolumeLoading : public ::testing::Test

@@ -8,13 +8,13 @@ using namespace nexrad;
 namespace
 {
 
-constexpr std::uint8_t words[] = {0, 1, 2, 4, 0, 0};
+constexpr std::uint8_t sixWords[] = {0, 1, 2, 4, 0, 0};
 
 Ray MakeRay(std::uint16_t gates, float scale, float offset)
 {
   Ray ray;
   MomentRow& row = ray.Row(MomentName::REF);
-  row.words = words;
+  row.words = sixWords;
   row.gates = gates;
   row.firstGate = gates;
   row.gateSpacing = 250;

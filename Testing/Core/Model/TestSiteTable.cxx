@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Model/SiteTable.h"
 
-#include "nexrad/System/Error.h"
+#include "ErrorMessage.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,7 @@
 #include <string>
 
 using namespace nexrad;
+using nexrad::testing::MessageOf;
 
 TEST(SiteTable, KnowsTheSitesOfTheThesis)
 {
@@ -61,15 +62,8 @@ TEST(SiteTable, AWrongRowIsNamed)
          "KAAA,wsr88d,A,MO,38.5x,-90.25,185,220", "KAAA,wsr88d,A,MO,90.5,-90.25,185,220",
          "KAAA,wsr88d,A,MO,38.5,nan,185,220", "KAAA,wsr88d,A,MO,38.5,-90.25,185,1e999", ""})
   {
-    try
-    {
-      ParseSiteTable(std::string("heading\n") + row + "\n");
-      ADD_FAILURE() << row;
-    }
-    catch (const Error& error)
-    {
-      EXPECT_EQ(std::string(error.what()).rfind("line 2 of the site table: ", 0), 0U)
-        << error.what();
-    }
+    const std::string error =
+      MessageOf([&] { ParseSiteTable(std::string("heading\n") + row + "\n"); });
+    EXPECT_EQ(error.rfind("line 2 of the site table: ", 0), 0U) << error;
   }
 }

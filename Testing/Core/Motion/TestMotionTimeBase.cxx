@@ -6,6 +6,7 @@
 #include "nexrad/Motion/MotionTracker.h"
 
 #include "MovingEcho.h"
+#include "ReadyVolume.h"
 #include "TestData.h"
 #include "Tolerance.h"
 
@@ -20,16 +21,10 @@ using namespace std::chrono_literals;
 namespace
 {
 
-const Time zero = *ParseIso8601("2006-03-12T18:00:00Z");
 const Site site = {"KWST", Position{38.7, -92.0, 200.0}};
 const Velocity velocity = {11.0, -3.0};
 constexpr double lean = 8'000.0; // m
 constexpr double secondsPerSweep = 20.0;
-
-std::shared_ptr<const BeamVolume> Ready(const PolarVolume& volume)
-{
-  return std::make_shared<const BeamVolume>(PrepareBeamVolume(volume));
-}
 
 // The tilts from `first` up to `end`, in the order scanned, of a volume that starts `start` s after
 // zero; all storms `east` m farther east.
@@ -73,7 +68,7 @@ std::shared_ptr<const BeamVolume> Scan(double start, std::size_t first, std::siz
   return Ready(all);
 }
 
-GridSpecification TestGrid()
+GridSpecification GridOfOneRadar()
 {
   GridRequest request;
   request.dimensions = {96, 96, 4};
@@ -84,7 +79,7 @@ GridSpecification TestGrid()
 // The largest error of the motion that the volumes give, m/s.
 double ErrorOf(const BeamVolumes& volumes, Time time, const Velocity& motion = velocity)
 {
-  const auto field = MotionTracker(TestGrid()).Find(volumes, time);
+  const auto field = MotionTracker(GridOfOneRadar()).Find(volumes, time);
   if (!field)
   {
     return std::hypot(motion.east, motion.north); // nothing moves
@@ -99,7 +94,7 @@ double ErrorOf(const BeamVolumes& volumes, Time time, const Velocity& motion = v
 
 double FastestIn(const BeamVolumes& volumes, Time time)
 {
-  const auto field = MotionTracker(TestGrid()).Find(volumes, time);
+  const auto field = MotionTracker(GridOfOneRadar()).Find(volumes, time);
   return field ? field->FastestSpeed() : 0.0;
 }
 
@@ -140,7 +135,7 @@ TEST(MotionTimeBase, WholeVolumesAboutAShortOneAreCompared)
 TEST(MotionTimeBase, VolumesWithoutACommonHeightTellNothing)
 {
   const BeamVolumes volumes = {Scan(-160.0, 0, 2), Scan(0.0, 4, allTilts)};
-  EXPECT_FALSE(MotionTracker(TestGrid()).Find(volumes, zero));
+  EXPECT_FALSE(MotionTracker(GridOfOneRadar()).Find(volumes, zero));
 }
 
 // The error of a displacement, here 500 m, is no speed of 50 m/s because it was found in 10 s.
@@ -148,7 +143,7 @@ TEST(MotionTimeBase, VolumesNearInTimeDoNotMakeEchoFast)
 {
   const auto first = Scan(-10.0, 0, allTilts, {0.0, 0.0});
   const auto second = Scan(0.0, 0, allTilts, {0.0, 0.0}, 500.0);
-  const auto motion = MotionTracker(TestGrid()).Find({first, second}, zero);
+  const auto motion = MotionTracker(GridOfOneRadar()).Find({first, second}, zero);
   ASSERT_TRUE(motion);
   EXPECT_AT_MOST(motion->FastestSpeed(), 0.3, "fastest motion, m/s");
 }
@@ -161,9 +156,9 @@ TEST(MotionTimeBase, OfVolumesEachMinuteThoseFartherApartAreCompared)
   {
     volumes.push_back(Scan(start, 0, 3));
   }
-  const auto found = MotionTracker(TestGrid()).Find(volumes, zero - 40s);
+  const auto found = MotionTracker(GridOfOneRadar()).Find(volumes, zero - 40s);
   const auto expected =
-    MotionTracker(TestGrid()).Find({volumes.front(), volumes.back()}, zero - 40s);
+    MotionTracker(GridOfOneRadar()).Find({volumes.front(), volumes.back()}, zero - 40s);
   ASSERT_TRUE(found && expected);
   EXPECT_EQ(found->At(40.0, 40.0).east, expected->At(40.0, 40.0).east);
   EXPECT_AT_MOST(ErrorOf(volumes, zero - 40s), 1.0, "error of the motion, m/s");

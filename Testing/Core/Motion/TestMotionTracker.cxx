@@ -5,6 +5,7 @@
 #include "nexrad/Motion/MotionTracker.h"
 
 #include "MovingEcho.h"
+#include "ReadyVolume.h"
 #include "Tolerance.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +19,6 @@ using namespace std::chrono_literals;
 namespace
 {
 
-const Time zero = *ParseIso8601("2006-03-12T18:00:00Z");
 const Site west = {"KWST", Position{38.7, -92.0, 200.0}};
 const Site east = {"KEST", Position{38.7, -91.0, 300.0}};
 constexpr double apart = 87e3; // m, the eastern radar from the western one
@@ -30,11 +30,6 @@ MovingEcho TestField(const Velocity& velocity)
     {110e3, 50e3, 48.0}, {150e3, -10e3, 52.0}};
   field.velocity = velocity;
   return field;
-}
-
-std::shared_ptr<const BeamVolume> Ready(const PolarVolume& volume)
-{
-  return std::make_shared<const BeamVolume>(PrepareBeamVolume(volume));
 }
 
 // Of each radar three volumes, 250 s apart; the eastern one looks 100 s later.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "StateNames.h"
 #include "nexrad/Products/ColumnProducts.h"
 
 #include "nexrad/Model/SiteTable.h"
@@ -12,14 +13,11 @@
 #include <vector>
 
 using namespace nexrad;
+using namespace nexrad::testing;
 
 namespace
 {
 
-constexpr VoxelState echo = VoxelState::Echo;
-constexpr VoxelState none = VoxelState::NoEcho;
-constexpr VoxelState folded = VoxelState::RangeFolded;
-constexpr VoxelState open = VoxelState::NotScanned;
 constexpr VoxelState filtered = VoxelState::Filtered;
 
 // A column of levels of 1 km, the first at 500 m.

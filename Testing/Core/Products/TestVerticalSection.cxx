@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "StateNames.h"
 #include "nexrad/Products/VerticalSection.h"
 
 #include <gtest/gtest.h>
@@ -6,14 +7,10 @@
 #include <cmath>
 
 using namespace nexrad;
+using namespace nexrad::testing;
 
 namespace
 {
-
-constexpr VoxelState echo = VoxelState::Echo;
-constexpr VoxelState none = VoxelState::NoEcho;
-constexpr VoxelState folded = VoxelState::RangeFolded;
-constexpr VoxelState open = VoxelState::NotScanned;
 
 // dBZ of a field that is linear in all three coordinates.
 double Plane(double x, double y, double z)

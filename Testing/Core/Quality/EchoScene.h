@@ -53,4 +53,9 @@ private:
 double ShareOf(const EchoScene& scene, const EchoClassification& found, std::size_t sweep,
   EchoClass echoClass, const std::function<bool(std::size_t ray, std::size_t gate)>& isMeant);
 
+inline bool Everywhere(std::size_t, std::size_t)
+{
+  return true;
+}
+
 } // namespace nexrad::testing

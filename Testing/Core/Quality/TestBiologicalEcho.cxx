@@ -54,12 +54,7 @@ SceneGate Night(std::size_t tilt, std::size_t ray, std::size_t gate)
                     : SceneGate();
 }
 
-bool Everywhere(std::size_t, std::size_t)
-{
-  return true;
-}
-
-bool IsPatch(std::size_t ray, std::size_t gate)
+bool IsLowPatch(std::size_t ray, std::size_t gate)
 {
   return ray >= 100 && ray < 112 && gate >= 58 && gate < 70;
 }
@@ -145,12 +140,12 @@ TEST(BiologicalEcho, DeepEchoOfALowCorrelationIsWeather)
       [reflectivity](std::size_t tilt, std::size_t ray, std::size_t gate)
       {
         return IsWeakest(ray, gate) ? Make(-30.0F, birds, tilt, ray, gate)
-               : IsPatch(ray, gate)
+               : IsLowPatch(ray, gate)
                  ? Make(reflectivity, {0.5F, 0.2F, 2.0F, 2.0F, 30.0F}, tilt, ray, gate)
                  : SceneGate();
       });
     const EchoClassification found = scene.Classify();
-    EXPECT_EQ(ShareOf(scene, found, 0, EchoClass::Biological, IsPatch), 0.0) << reflectivity;
+    EXPECT_EQ(ShareOf(scene, found, 0, EchoClass::Biological, IsLowPatch), 0.0) << reflectivity;
   }
 }
 
@@ -161,13 +156,13 @@ TEST(BiologicalEcho, ShallowEchoOfALowCorrelationIsBiological)
     [](std::size_t tilt, std::size_t ray, std::size_t gate)
     {
       return IsWeakest(ray, gate) ? Make(-30.0F, birds, tilt, ray, gate)
-             : tilt < 2 && IsPatch(ray, gate)
+             : tilt < 2 && IsLowPatch(ray, gate)
                ? Make(18.0F, {0.5F, 0.2F, 2.0F, 2.0F, 30.0F}, tilt, ray, gate)
                : SceneGate();
     });
   const EchoClassification found = scene.Classify();
   EXPECT_AT_LEAST(
-    ShareOf(scene, found, 0, EchoClass::Biological, IsPatch), 0.85, "shallow echo told apart");
+    ShareOf(scene, found, 0, EchoClass::Biological, IsLowPatch), 0.85, "shallow echo told apart");
 }
 
 // One gate in the core of a storm whose velocity is 0.

@@ -78,11 +78,6 @@ EchoScene OnePolarisation(const EchoScene::Gates& gates)
   return scene;
 }
 
-bool Everywhere(std::size_t, std::size_t)
-{
-  return true;
-}
-
 // Gates of a reason in a sweep.
 std::size_t CountOf(const EchoClassification& found, std::size_t sweep, EchoReason reason)
 {

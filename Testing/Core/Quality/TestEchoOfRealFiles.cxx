@@ -151,7 +151,7 @@ WeatherLost LostIn(const std::filesystem::path& path)
   return lost;
 }
 
-bool Everywhere(const Place&)
+bool AnyPlace(const Place&)
 {
   return true;
 }
@@ -175,7 +175,7 @@ TEST(EchoOfRealFiles, GroundWithinASquallLineGoes)
   const auto path = folder / "level2" / "quality" / "KLSX19930707_040351.gz";
   EXPECT_AT_LEAST(
     PercentOut(path, 0, QualityLevel::Standard, isGround), 95.0, "ground of KLSX 1993 gone, %");
-  EXPECT_AT_MOST(PercentOut(path, 2, QualityLevel::Standard, Everywhere), 0.95,
+  EXPECT_AT_MOST(PercentOut(path, 2, QualityLevel::Standard, AnyPlace), 0.95,
     "echo of KLSX 1993 at 2.4° gone, %");
 }
 
@@ -199,7 +199,7 @@ TEST(EchoOfRealFiles, ShowersInALightWindStay)
 {
   NEXRAD_REQUIRE_TEST_DATA(folder);
   const auto path = folder / "level2" / "quality" / "KMLB19980707_220118.gz";
-  EXPECT_AT_MOST(PercentOut(path, 3, QualityLevel::Standard, Everywhere), 2.0,
+  EXPECT_AT_MOST(PercentOut(path, 3, QualityLevel::Standard, AnyPlace), 2.0,
     "showers of KMLB 1998 at 3.4° lost, %");
 }
 
@@ -214,7 +214,7 @@ TEST(EchoOfRealFiles, ATornadoStays)
   };
   EXPECT_EQ(PercentOut(path, 0, QualityLevel::Strict, isHook), 0.0);
   EXPECT_AT_MOST(
-    PercentOut(path, 0, QualityLevel::Standard, Everywhere), 2.4, "echo of KTLX 1999 gone, %");
+    PercentOut(path, 0, QualityLevel::Standard, AnyPlace), 2.4, "echo of KTLX 1999 gone, %");
 }
 
 TEST(EchoOfRealFiles, WidespreadRainAndSnowStay)
@@ -233,7 +233,7 @@ TEST(EchoOfRealFiles, WidespreadRainAndSnowStay)
          File{"legacy/KVWX_20050626_221551.gz", 0, 1.1}})
   {
     EXPECT_AT_MOST(
-      PercentOut(folder / "level2" / file.path, file.sweep, QualityLevel::Standard, Everywhere),
+      PercentOut(folder / "level2" / file.path, file.sweep, QualityLevel::Standard, AnyPlace),
       file.most, file.path);
   }
 }
@@ -256,9 +256,9 @@ TEST(EchoOfRealFiles, TheBloomOfASummerMorningIsBiological)
 {
   NEXRAD_REQUIRE_TEST_DATA(folder);
   const auto path = folder / "level2" / "superres" / "KTLX20190715_120037_V06";
-  EXPECT_AT_MOST(PercentOut(path, 0, QualityLevel::Standard, Everywhere), 2.7,
+  EXPECT_AT_MOST(PercentOut(path, 0, QualityLevel::Standard, AnyPlace), 2.7,
     "bloom taken out at the standard level, %");
-  EXPECT_AT_LEAST(PercentOut(path, 0, QualityLevel::Strict, Everywhere), 65.0,
+  EXPECT_AT_LEAST(PercentOut(path, 0, QualityLevel::Strict, AnyPlace), 65.0,
     "bloom taken out at the strict level, %");
 }
 

@@ -64,11 +64,6 @@ bool IsArea(std::size_t ray, std::size_t gate)
   return ray >= 90 && ray < 160 && gate >= 70 && gate < 145;
 }
 
-bool Anywhere(std::size_t, std::size_t)
-{
-  return true;
-}
-
 // Rays along which the wind of the snow blows: beside others its velocity is near 0.
 bool IsInWind(std::size_t ray, std::size_t)
 {
@@ -76,7 +71,7 @@ bool IsInWind(std::size_t ray, std::size_t)
 }
 
 // Part of the gates of the lowest sweep beyond 15 km, of those that `isMeant` names.
-double GroundOf(const EchoScene& scene, bool (*isMeant)(std::size_t, std::size_t) = Anywhere)
+double GroundOf(const EchoScene& scene, bool (*isMeant)(std::size_t, std::size_t) = Everywhere)
 {
   return ShareOf(scene, scene.Classify(), 0, EchoClass::Ground,
     [isMeant](std::size_t ray, std::size_t gate) { return gate >= 15 && isMeant(ray, gate); });

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Series/Catalogue.h"
 
+#include "ErrorMessage.h"
 #include "Faults/Unprivileged.h"
 #include "HandMadeVolume.h"
+#include "Scans/RadarsOfMissouri.h"
 #include "TestData.h"
 #include "Tolerance.h"
 #include "nexrad/Series/ScanInputs.h"
@@ -24,18 +26,13 @@ namespace
 
 namespace fs = std::filesystem;
 
+using testing::At;
 using testing::ConstantVolume;
 using testing::HoldsUnprivileged;
+using testing::keax;
+using testing::klsx;
 using testing::TemporaryFolder;
 using testing::WriteLevel2;
-
-const Site keax = {"KEAX", Position{38.81, -94.264, 333.0}};
-const Site klsx = {"KLSX", Position{38.699, -90.683, 220.0}};
-
-Time At(const char* text)
-{
-  return *ParseIso8601(text);
-}
 
 void WriteText(const std::filesystem::path& path, const std::string& text)
 {
@@ -264,15 +261,8 @@ TEST(SiteSeries, LeavesOutVolumesThatCannotBeUsed)
 TEST(SiteSeries, RefusesMissingPathsAndEmptyFolders)
 {
   const TemporaryFolder folder;
-  try
-  {
-    FindInputFiles({folder.Path() / "absent"});
-    FAIL() << "a missing path was taken";
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.what(), (folder.Path() / "absent").string() + ": no such file or folder");
-  }
+  const std::string error = testing::MessageOf([&] { FindInputFiles({folder.Path() / "absent"}); });
+  EXPECT_EQ(error, (folder.Path() / "absent").string() + ": no such file or folder");
   EXPECT_THROW(FindInputFiles({folder.Path()}), Error);
 }
 

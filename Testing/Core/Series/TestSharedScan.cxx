@@ -2,6 +2,7 @@
 #include "nexrad/Series/SharedScan.h"
 
 #include "HandMadeVolume.h"
+#include "Scans/RadarsOfMissouri.h"
 #include "TestData.h"
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Model/SiteTable.h"
@@ -24,10 +25,9 @@ namespace
 {
 
 using testing::ConstantVolume;
+using testing::keax;
 using testing::TemporaryFolder;
 using testing::WriteLevel2;
-
-const Site keax = {"KEAX", Position{38.81, -94.264, 333.0}};
 
 void ExpectSame(const PackedComposite& a, const PackedComposite& b)
 {

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Series/VolumeSelection.h"
 
+#include "Scans/RadarsOfMissouri.h"
 #include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
 
 using namespace nexrad;
+using nexrad::testing::At;
 using namespace std::chrono_literals;
 
 namespace
 {
-
-Time At(const char* text)
-{
-  return *ParseIso8601(text);
-}
 
 const std::vector<Time> starts = {
   At("2006-03-12T18:00:30Z"), At("2006-03-12T18:05:30Z"), At("2006-03-12T18:10:30Z")};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The table of the settings of the merge: what is written of settings is read as the same settings.
+#include "ErrorMessage.h"
 #include "nexrad/Merging/MergeSettings.h"
 
 #include <gtest/gtest.h>
@@ -9,6 +10,7 @@
 #include <random>
 
 using namespace nexrad;
+using nexrad::testing::MessageOf;
 
 namespace
 {
@@ -128,16 +130,12 @@ TEST(MergeSettings, WhatIsWrongIsNamed)
 {
   const auto message = [](const char* name, const char* text)
   {
-    try
-    {
-      MergeOptions options;
-      FromTexts(MergeSettings(), {{name, text}}, options);
-      return std::string();
-    }
-    catch (const Error& error)
-    {
-      return std::string(error.what());
-    }
+    return MessageOf(
+      [&]
+      {
+        MergeOptions options;
+        FromTexts(MergeSettings(), {{name, text}}, options);
+      });
   };
   EXPECT_EQ(message("--colour", "red"), "--colour: there is no such option");
   EXPECT_EQ(message("--overlap", "median"),

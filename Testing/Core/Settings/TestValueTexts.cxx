@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Settings/ValueTexts.h"
 
+#include "ErrorMessage.h"
 #include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
 
 using namespace nexrad;
+using nexrad::testing::MessageOf;
 
 TEST(ValueTexts, DurationsHaveUnits)
 {
@@ -46,18 +48,7 @@ TEST(ValueTexts, LengthsAreMetres)
 // 230 could be kilometres to one and metres to another.
 TEST(ValueTexts, ALengthWithoutAUnitSaysWhatToWrite)
 {
-  const auto message = [](auto parse, const char* text)
-  {
-    try
-    {
-      parse(text);
-      return std::string();
-    }
-    catch (const Error& error)
-    {
-      return std::string(error.what());
-    }
-  };
+  const auto message = [](auto parse, const char* text) { return MessageOf([&] { parse(text); }); };
   EXPECT_EQ(message(ParseLength, "230"), "'230' has no unit; write 230km or 230m");
   EXPECT_EQ(message(ParseHeightRange, "0,20"), "'0,20' has no unit; write 0,20km or 0,20m");
 }
@@ -187,15 +178,8 @@ TEST(ValueTexts, ListsHaveCommas)
 
 TEST(ValueTexts, ErrorsSayWhatWouldBeRight)
 {
-  try
-  {
-    ParseBounds("-86,36,-97,43");
-    FAIL();
-  }
-  catch (const Error& error)
-  {
-    EXPECT_STREQ(error.what(),
-      "'-86,36,-97,43' has its lower bound above its upper bound; write west,south,east,north in "
-      "degrees with west below east and south below north");
-  }
+  const std::string error = MessageOf([&] { ParseBounds("-86,36,-97,43"); });
+  EXPECT_EQ(error,
+    "'-86,36,-97,43' has its lower bound above its upper bound; write west,south,east,north in "
+    "degrees with west below east and south below north");
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Echo that is not weather: each kind by itself, against what is true of each gate.
+#include "ScannedStorm.h"
 #include "Tolerance.h"
 #include "nexrad/Model/SiteTable.h"
 #include "nexrad/Simulation/AddedEcho.h"
@@ -15,30 +16,10 @@
 #include <set>
 
 using namespace nexrad;
+using namespace nexrad::testing;
 
 namespace
 {
-
-const Time start = *ParseIso8601("2006-03-12T18:03:12.500");
-
-const Site& TestSite()
-{
-  static const Site site{"KLSX", FindSite("KLSX")->position};
-  return site;
-}
-
-struct TruthfulScan
-{
-  ScanTruth truth;
-  RadarVolume volume;
-};
-
-TruthfulScan Scan(const SimulatorOptions& options, int pattern = 32, Time time = start)
-{
-  TruthfulScan scan;
-  scan.volume = ScanVolume(StormField(), TestSite(), pattern, time, options, &scan.truth);
-  return scan;
-}
 
 // The storms and one kind more.
 const TruthfulScan& ScanWith(EchoKind kind)

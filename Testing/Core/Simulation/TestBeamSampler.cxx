@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tolerance.h"
+#include "nexrad/Geometry/Angles.h"
 #include "nexrad/Geometry/Beam.h"
 #include "nexrad/Model/SiteTable.h"
 #include "nexrad/Simulation/BeamSampler.h"
@@ -15,14 +16,12 @@ using namespace nexrad;
 namespace
 {
 
-constexpr double degree = 3.14159265358979323846 / 180.0;
-
 // Formulas B1 as a textbook has it, for an atmosphere of effective radius factor k.
 double HeightByFormula(double range, double elevation, double factor)
 {
   const double radius = factor * 6'371'000.0;
-  return std::sqrt(
-           range * range + radius * radius + 2.0 * range * radius * std::sin(elevation * degree)) -
+  return std::sqrt(range * range + radius * radius +
+                   2.0 * range * radius * std::sin(elevation * RadiansPerDegree)) -
          radius;
 }
 
@@ -49,8 +48,8 @@ double BruteForceMean(const StormSnapshot& snapshot, const Position& site, doubl
         double latitude = 0.0;
         double longitude = 0.0;
         GeographicLib::Geodesic::WGS84().Direct(site.latitude, site.longitude,
-          azimuth + side * step / std::cos(elevation * degree), point.groundDistance, latitude,
-          longitude);
+          azimuth + side * step / std::cos(elevation * RadiansPerDegree), point.groundDistance,
+          latitude, longitude);
         const double value = snapshot.Reflectivity(
           StormPlane::FromGeographic(longitude, latitude, point.height + site.altitude));
         sum += weight * std::pow(10.0, value / 10.0);
@@ -93,8 +92,8 @@ TEST(RefractedPath, IsStraightWithoutRefraction)
   constexpr double radius = 6'371'000.0;
   for (double range = 10'000.0; range <= 190'000.0; range += 17'300.0)
   {
-    const double up = radius + range * std::sin(1.0 * degree);
-    const double out = range * std::cos(1.0 * degree);
+    const double up = radius + range * std::sin(1.0 * RadiansPerDegree);
+    const double out = range * std::cos(1.0 * RadiansPerDegree);
     const PathPoint point = path.At(range, 1.0);
     EXPECT_WITHIN(
       point.height, std::hypot(up, out) - radius, 0.038, "height of the straight ray, m");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Differential reflectivity, differential phase and correlation of simulated gates.
+#include "ScannedStorm.h"
 #include "Tolerance.h"
 #include "nexrad/Level2/Encoding/Level2Encoder.h"
 #include "nexrad/Level2/Level2File.h"
@@ -16,11 +17,10 @@
 #include <map>
 
 using namespace nexrad;
+using namespace nexrad::testing;
 
 namespace
 {
-
-const Time start = *ParseIso8601("2006-03-12T18:03:12.500");
 
 SimulatorOptions Options()
 {
@@ -31,20 +31,9 @@ SimulatorOptions Options()
   return options;
 }
 
-struct TruthfulScan
+const TruthfulScan& DualScan()
 {
-  ScanTruth truth;
-  RadarVolume volume;
-};
-const TruthfulScan& Scanned()
-{
-  static const TruthfulScan scan = []
-  {
-    TruthfulScan result;
-    result.volume = ScanVolume(
-      StormField(), {"KLSX", FindSite("KLSX")->position}, 32, start, Options(), &result.truth);
-    return result;
-  }();
+  static const TruthfulScan scan = Scan(Options());
   return scan;
 }
 
@@ -78,7 +67,7 @@ struct Samples
 };
 std::map<EchoKind, Samples> SamplesOfKinds()
 {
-  const TruthfulScan& scan = Scanned();
+  const TruthfulScan& scan = DualScan();
   std::map<EchoKind, Samples> samples;
   for (std::size_t cut = 0; cut < scan.volume.sweeps.size(); ++cut)
   {
@@ -190,7 +179,7 @@ TEST(DualPolarisation, KindsOfAScanDiffer)
 
 TEST(DualPolarisation, AFileHasTheMomentsAsRealFilesDo)
 {
-  const RadarVolume& volume = Scanned().volume;
+  const RadarVolume& volume = DualScan().volume;
   const RadarVolume decoded =
     DecodeLevel2(EncodeLevel2(volume, {31, Level2Container::Bare, 1}), "KLSX20060312_180312_V06");
   EXPECT_TRUE(decoded.damage.empty());
@@ -236,7 +225,7 @@ TEST(DualPolarisation, LeavesTheOtherMomentsAsTheyAre)
   options.dualPolarisation = false;
   const RadarVolume without =
     ScanVolume(StormField(), {"KLSX", FindSite("KLSX")->position}, 32, start, options);
-  const RadarVolume& with = Scanned().volume;
+  const RadarVolume& with = DualScan().volume;
   for (std::size_t cut = 0; cut < with.sweeps.size(); ++cut)
   {
     for (std::size_t index = 0; index < with.sweeps[cut].rays.size(); index += 17)

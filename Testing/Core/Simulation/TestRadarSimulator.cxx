@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ErrorMessage.h"
+#include "ScannedStorm.h"
 #include "Tolerance.h"
 #include "nexrad/Model/SiteTable.h"
 #include "nexrad/Simulation/BeamSampler.h"
@@ -13,16 +15,10 @@
 #include <cstring>
 
 using namespace nexrad;
+using namespace nexrad::testing;
 
 namespace
 {
-
-const Time start = *ParseIso8601("2006-03-12T18:03:12.500");
-
-Site TestSite()
-{
-  return {"KLSX", FindSite("KLSX")->position};
-}
 
 // One scan for all tests: pattern 32 has the fewest cuts.
 const RadarVolume& Scanned()
@@ -40,15 +36,7 @@ bool SameWords(const RadarVolume& first, const RadarVolume& second)
 
 std::string ScanError(const Site& site, int pattern, const SimulatorOptions& options = {})
 {
-  try
-  {
-    ScanVolume(StormField(), site, pattern, start, options);
-  }
-  catch (const Error& error)
-  {
-    return error.what();
-  }
-  return "";
+  return MessageOf([&] { ScanVolume(StormField(), site, pattern, start, options); });
 }
 
 } // namespace

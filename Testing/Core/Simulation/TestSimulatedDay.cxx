@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ErrorMessage.h"
 #include "Tolerance.h"
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Simulation/SimulatedDay.h"
-#include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,7 @@
 #include <map>
 
 using namespace nexrad;
+using nexrad::testing::MessageOf;
 
 namespace
 {
@@ -24,15 +25,7 @@ SimulatedDayOptions OneHour()
 
 std::string PlanError(const SimulatedDayOptions& options)
 {
-  try
-  {
-    PlanSimulatedDay(options);
-  }
-  catch (const Error& error)
-  {
-    return error.what();
-  }
-  return "";
+  return MessageOf([&] { PlanSimulatedDay(options); });
 }
 
 } // namespace

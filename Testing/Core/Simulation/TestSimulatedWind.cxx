@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The wind of the synthetic day against its closed form, and the radial velocities that radars see
 // of it.
+#include "ScannedStorm.h"
 #include "Tolerance.h"
+#include "nexrad/Geometry/Angles.h"
 #include "nexrad/Model/SiteTable.h"
 #include "nexrad/Simulation/BeamSampler.h"
 #include "nexrad/Simulation/RadarSimulator.h"
@@ -13,39 +15,16 @@
 #include <cmath>
 
 using namespace nexrad;
+using namespace nexrad::testing;
 
 namespace
 {
 
-constexpr double degree = 3.14159265358979323846 / 180.0;
-const Time start = *ParseIso8601("2006-03-12T18:03:12.500");
-
-const Site& TestSite()
-{
-  static const Site site{"KLSX", FindSite("KLSX")->position};
-  return site;
-}
-
 // Pattern 31 has the lowest Nyquist velocity, 11.6 m/s: most of its velocities are folded.
-struct TruthfulScan
-{
-  ScanTruth truth;
-  RadarVolume volume;
-};
 const TruthfulScan& Scanned(int pattern)
 {
-  static const TruthfulScan low = []
-  {
-    TruthfulScan scan;
-    scan.volume = ScanVolume(StormField(), TestSite(), 31, start, {}, &scan.truth);
-    return scan;
-  }();
-  static const TruthfulScan high = []
-  {
-    TruthfulScan scan;
-    scan.volume = ScanVolume(StormField(), TestSite(), 212, start, {}, &scan.truth);
-    return scan;
-  }();
+  static const TruthfulScan low = Scan({}, 31);
+  static const TruthfulScan high = Scan({}, 212);
   return pattern == 31 ? low : high;
 }
 
@@ -81,7 +60,7 @@ double BruteForceVelocity(
   BeamTrace trace(site, ray.elevation, range + spacing, {});
   for (int side = -half; side <= half; ++side)
   {
-    const double azimuth = ray.azimuth + side * step / std::cos(ray.elevation * degree);
+    const double azimuth = ray.azimuth + side * step / std::cos(ray.elevation * RadiansPerDegree);
     trace.Point(azimuth, ray.elevation);
     for (int up = -half; up <= half; ++up)
     {
@@ -94,8 +73,9 @@ double BruteForceVelocity(
           trace.Place(trace.At(range + spacing * ((part + 0.5) / 5.0 - 0.5), elevation));
         const double weight = pattern * std::pow(10.0, snapshot.Reflectivity(place) / 10.0);
         const WindVector wind = snapshot.Wind(place);
-        sum += weight * std::cos(elevation * degree) *
-               (wind.east * std::sin(azimuth * degree) + wind.north * std::cos(azimuth * degree));
+        sum += weight * std::cos(elevation * RadiansPerDegree) *
+               (wind.east * std::sin(azimuth * RadiansPerDegree) +
+                 wind.north * std::cos(azimuth * RadiansPerDegree));
         weights += weight;
       }
     }
@@ -112,7 +92,7 @@ TEST(MeanWind, IsThatOfItsLevelsAndLinearBetweenThem)
   {
     const WindVector wind = MeanWind(level.height);
     EXPECT_NEAR(std::hypot(wind.east, wind.north), level.speed, 1e-6) << level.height;
-    const double from = std::atan2(-wind.east, -wind.north) / degree;
+    const double from = std::atan2(-wind.east, -wind.north) / RadiansPerDegree;
     EXPECT_NEAR(std::remainder(from - level.direction, 360.0), 0.0, 1e-6) << level.height;
   }
   const WindVector below = MeanWind(6'000.0);
@@ -326,17 +306,17 @@ TEST(ScanTruth, ARadarSeesTheVortexWithItsPeakDifference)
     }
     // A made-up site 40 km south of the axis.
     const PlanePoint axis = vortex.AxisAt(height);
-    Position site{39.0 + (axis.y - 40'000.0) / (6'371'000.0 * degree),
-      -91.5 + axis.x / (6'371'000.0 * degree * std::cos(39.0 * degree)), 100.0};
-    const double elevation = std::atan2(height - 100.0 - 94.0, 40'000.0) / degree;
+    Position site{39.0 + (axis.y - 40'000.0) / (6'371'000.0 * RadiansPerDegree),
+      -91.5 + axis.x / (6'371'000.0 * RadiansPerDegree * std::cos(39.0 * RadiansPerDegree)), 100.0};
+    const double elevation = std::atan2(height - 100.0 - 94.0, 40'000.0) / RadiansPerDegree;
     double most = -1e9;
     double least = 1e9;
     for (double offset = -6'000.0; offset <= 6'000.0; offset += 250.0)
     {
-      const double azimuth = std::atan2(offset, 40'000.0) / degree;
-      const double environment =
-        std::cos(elevation * degree) * (MeanWind(height).east * std::sin(azimuth * degree) +
-                                         MeanWind(height).north * std::cos(azimuth * degree));
+      const double azimuth = std::atan2(offset, 40'000.0) / RadiansPerDegree;
+      const double environment = std::cos(elevation * RadiansPerDegree) *
+                                 (MeanWind(height).east * std::sin(azimuth * RadiansPerDegree) +
+                                   MeanWind(height).north * std::cos(azimuth * RadiansPerDegree));
       const double velocity = TrueRadialVelocity(field, site, start, azimuth, elevation,
                                 std::hypot(40'000.0, offset), 250.0) -
                               environment;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/System/AtomicFile.h"
 
+#include "ErrorMessage.h"
 #include "TestData.h"
 #include "VolumeMaker.h"
 #include "nexrad/Codec/NxvFile.h"
@@ -18,6 +19,7 @@
 
 using namespace nexrad;
 using nexrad::testing::FileContent;
+using nexrad::testing::MessageOf;
 using nexrad::testing::TemporaryFolder;
 
 namespace
@@ -135,15 +137,11 @@ TEST(AtomicFile, AFullDiskLeavesTheOldVolume)
   const GriddedVolume old = nexrad::testing::MakeGriddedVolume();
   WriteNxv(path, old);
   const SmallDisk disk(8'192);
-  try
-  {
-    WriteNxv(path, nexrad::testing::MakeGriddedVolume({50, 50, 20}));
-    FAIL() << "the volume does not fit";
-  }
-  catch (const Error& problem)
-  {
-    EXPECT_EQ(problem.what(), path.string() + ": cannot be written: File too large");
-  }
+  const std::string problem = MessageOf(
+    [&] {
+      WriteNxv(path, nexrad::testing::MakeGriddedVolume({50, 50, 20}));
+    });
+  EXPECT_EQ(problem, path.string() + ": cannot be written: File too large");
   EXPECT_EQ(ReadNxv(path).grid.dimensions, old.grid.dimensions);
   EXPECT_EQ(FilesIn(folder.Path()), 1u);
 }

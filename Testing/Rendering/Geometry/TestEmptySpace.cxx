@@ -22,11 +22,11 @@ namespace
 
 using Vector = std::array<double, 3>;
 
-constexpr std::array<int, 3> Size{22, 14, 19};
+constexpr std::array<int, 3> VolumeSize{22, 14, 19};
 
 vtkIdType Id(int x, int y, int z)
 {
-  return (vtkIdType{z} * Size[1] + y) * Size[0] + x;
+  return (vtkIdType{z} * VolumeSize[1] + y) * VolumeSize[0] + x;
 }
 
 /// Scalars of two components; some are not finite, some are hidden.
@@ -38,7 +38,7 @@ public:
     std::mt19937 random(7);
     std::uniform_real_distribution<float> scalar(-5.0f, 5.0f);
     this->Scalars->SetNumberOfComponents(2);
-    this->Scalars->SetNumberOfTuples(Id(0, 0, Size[2]));
+    this->Scalars->SetNumberOfTuples(Id(0, 0, VolumeSize[2]));
     this->Ghosts->SetNumberOfTuples(this->Scalars->GetNumberOfTuples());
     for (vtkIdType id = 0; id < this->Scalars->GetNumberOfTuples(); ++id)
     {
@@ -46,7 +46,7 @@ public:
       this->Scalars->SetTuple2(
         id, random() % 5 == 0 ? std::nan("") : scalar(random), scalar(random));
     }
-    this->Source = {this->Scalars, Size, cellData, this->Ghosts};
+    this->Source = {this->Scalars, VolumeSize, cellData, this->Ghosts};
   }
 
   bool Counts(vtkIdType id)
@@ -70,10 +70,10 @@ vtkTextureSliceBricks::Range FindRange(
   {
     // Texel i stands at i of size - 1 intervals, or in the middle of cell i.
     const bool cells = volume.Source.CellData;
-    const double scale = cells ? Size[axis] : Size[axis] - 1;
+    const double scale = cells ? VolumeSize[axis] : VolumeSize[axis] - 1;
     const double shift = cells ? 0.5 : 0.0;
     begin[axis] = std::max(0, int(std::floor(low[axis] * scale - shift + 1e-9)));
-    end[axis] = std::min(Size[axis] - 1, int(std::ceil(high[axis] * scale - shift - 1e-9)));
+    end[axis] = std::min(VolumeSize[axis] - 1, int(std::ceil(high[axis] * scale - shift - 1e-9)));
   }
   for (int z = begin[2]; z <= end[2]; ++z)
   {
