@@ -46,7 +46,6 @@ using View = std::optional<scene::PlanLevel>;
 constexpr std::array<View, 7> offeredViews = {View(), scene::PlanLevel::Composite,
   scene::PlanLevel::Lowest, scene::PlanLevel::EchoTop, scene::PlanLevel::Liquid,
   scene::PlanLevel::LiquidDensity, scene::PlanLevel::Height};
-constexpr double kilometre = 1000.0;
 constexpr double usualHeight = 3.0; // km, of a map at a height that was not set
 
 constexpr char nothingOpen[] = "Nothing open";
