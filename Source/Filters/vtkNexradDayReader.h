@@ -30,8 +30,8 @@
  *
  * The time steps are the multiples of TimeStep from the first ray to the last, or from BeginTime
  * to EndTime; where there is none from the first ray to the last, the middle between these. Any
- * other time can be asked for as well. Where nothing was scanned for more than a day between two volumes,
- * BeginTime or EndTime must say what is meant (UserError). Times are seconds since
+ * other time can be asked for as well. Where nothing was scanned for more than a day between two
+ * volumes, BeginTime or EndTime must say what is meant (UserError). Times are seconds since
  * 1970-01-01T00:00:00Z. Without a requested time, or for one more than a day before the
  * first time step, the output is that of the first time step.
  *

@@ -25,8 +25,8 @@
 #include <numeric>
 
 using nexrad::BackgroundSeries;
-using nexrad::scene::SceneOptions;
 using nexrad::VolumeSeries;
+using nexrad::scene::SceneOptions;
 
 // The series that is shown, and what loads it ahead.
 struct vtkNexradSession::Opened
@@ -116,9 +116,9 @@ void vtkNexradSession::Open()
   {
     throw nexrad::Error("no file name is set");
   }
-  this->Series->volumes = nexrad::AreVolumes(paths) ? nexrad::OpenVolumeFiles(paths)
-                                                           : nexrad::OpenRadarFiles(paths,
-                                                               this->DayReader->MakeDayOptions());
+  this->Series->volumes = nexrad::AreVolumes(paths)
+                            ? nexrad::OpenVolumeFiles(paths)
+                            : nexrad::OpenRadarFiles(paths, this->DayReader->MakeDayOptions());
   this->Series->steps = AllSteps(*this->Series->volumes);
 }
 

@@ -123,8 +123,8 @@ public:
   /// Shows volumes of a series that is open, in place of files: the indices of those that take
   /// part, in the order in which they are shown. `box`: is merged in finer voxels with each of
   /// them.
-  void SetSeries(std::unique_ptr<nexrad::VolumeSeries> series,
-    std::vector<std::size_t> steps, const std::optional<nexrad::BoxRequest>& box);
+  void SetSeries(std::unique_ptr<nexrad::VolumeSeries> series, std::vector<std::size_t> steps,
+    const std::optional<nexrad::BoxRequest>& box);
   /// As ShowTimeStep, for a series that is open, but throws Error where ShowTimeStep reports one.
   /// False when `progress` asked to stop; then the scene stays as it is.
   bool Show(int step, const std::function<bool(double)>& progress = {});

@@ -171,8 +171,7 @@ TEST_F(HostileFiles, VolumesAreRefusedWithOneLine)
 {
   for (const fs::path& file : volumes)
   {
-    const std::string line =
-      MessageOf([&] { nexrad::OpenVolumeFiles({file})->Load(0, {}); });
+    const std::string line = MessageOf([&] { nexrad::OpenVolumeFiles({file})->Load(0, {}); });
     EXPECT_EQ(line.find(file), 0U) << line;
     EXPECT_LT(line.size(), file.string().size() + 160U) << file;
   }

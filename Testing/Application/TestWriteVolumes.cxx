@@ -267,8 +267,7 @@ TEST_F(WritingVolumes, AFolderWithTwoGridsIsNotDrawn)
   const std::string text = MessageOf([&] { OpenVolumeFiles({folder.Path() / "first"}); });
   EXPECT_NE(text.find("20060312T180000Z.nxv has 40x24x10"), std::string::npos) << text;
   EXPECT_NE(text.find("20060312T182100Z.nxv has 20x24x10"), std::string::npos) << text;
-  EXPECT_EQ(
-    OpenVolumeFiles({folder.Path() / "first" / "volumes.nxv.series"})->Times().size(), 4U);
+  EXPECT_EQ(OpenVolumeFiles({folder.Path() / "first" / "volumes.nxv.series"})->Times().size(), 4U);
 }
 
 // 681 million voxels in 500 bytes; the picture of them would take ten gigabytes.

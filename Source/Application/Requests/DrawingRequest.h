@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Scene/DrawingSettings.h"
 #include "Filters/Series/InputSeries.h"
+#include "Scene/DrawingSettings.h"
 
 namespace nexrad::scene
 {

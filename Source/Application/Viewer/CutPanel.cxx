@@ -136,10 +136,9 @@ CutHandles::CutHandles(
 bool CutHandles::Follow(bool shown)
 {
   // Without a cut the scene is not updated here: its first update takes long, and drawing does it.
-  const bool any = shown && view.Scene()->GetVolume() != nullptr &&
-                   !view.Scene()->GetOptions().plan &&
-                   (view.Scene()->GetCropping() || view.Scene()->GetClipping()) &&
-                   view.Scene()->Update();
+  const bool any =
+    shown && view.Scene()->GetVolume() != nullptr && !view.Scene()->GetOptions().plan &&
+    (view.Scene()->GetCropping() || view.Scene()->GetClipping()) && view.Scene()->Update();
   const std::vector<double> newBox =
     any && view.Scene()->GetCropping() ? this->BoxPlace() : std::vector<double>{};
   const std::vector<double> newPlane =

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Beams/BeamSweep.h"
 
-
 #include <algorithm>
 #include <cmath>
 
