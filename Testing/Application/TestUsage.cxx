@@ -200,7 +200,12 @@ TEST(Usage, WrongOptionsOfRenderAreNamed)
   {
     ExpectWrongUsage({"render", "a", "-o", "b.png", "--look-at", place}, {"--look-at"});
   }
-  for (const char* values : {"", ",", "20,", "20:", "20:0", "20:1.5", "20:0.5:1", "20;40", "nan",
+  for (const char* option : {"--azimuth", "--clip", "--colours", "--crop", "--iso-values",
+         "--look-at", "--map", "--preset"})
+  {
+    ExpectWrongUsage({"render", "a", "-o", "b.png", option, ""}, {option, "'' is no value; write"});
+  }
+  for (const char* values : {",", "20,", "20:", "20:0", "20:1.5", "20:0.5:1", "20;40", "nan",
          "1e999", "20:nan", "20:0.3,30:x", "20dBZ"})
   {
     ExpectWrongUsage({"render", "a", "-o", "b.png", "--iso-values", values},

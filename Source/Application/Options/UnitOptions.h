@@ -43,13 +43,19 @@ CLI::Option* AddValueOption(CLI::App& command, const std::string& name, Value& v
   return AddTextOption(command, name, take, type.unit, description)->default_str(type.text(value));
 }
 
-/// The option of a setting, which stores into `settings`. A name with "colour" in it may be written
-/// with "color" as well.
+/// The option of a setting, which stores into `settings`. An empty text is wrong usage. A name with
+/// "colour" in it may be written with "color" as well.
 template <typename Settings>
 CLI::Option* AddSetting(CLI::App& command, const Setting<Settings>& setting, Settings& settings)
 {
   const auto take = [&setting, &settings](const std::string& text)
-  { SetOption(setting, text, settings); };
+  {
+    if (text.empty() && !setting.IsFlag())
+    {
+      throw Error("'' is no value; write " + setting.value.unit);
+    }
+    SetOption(setting, text, settings);
+  };
   std::string names = setting.Option();
   const std::size_t colour = names.find("colour");
   if (colour != std::string::npos)
