@@ -107,17 +107,6 @@ class Documents(unittest.TestCase):
         self.assertGreater(len(rows_of_merging()), 15)
         self.assertIn("\n".join(rows_of_merging()), page)
 
-    def test_the_table_of_pictures_has_the_options_of_the_program(self):
-        """Those of `render --help` under Camera, Picture and Map, and no others but of inputs."""
-        page = (ROOT / "Documentation" / "User" / "4-pictures.md").read_text()
-        cells = re.findall(r"^\| (`--[^|]*) \|", page.partition("\n| option | meaning |\n")[2].partition("\n\n")[0],
-                           re.MULTILINE)
-        told = {option for cell in cells for option in OPTION.findall(cell)}
-        groups = help_of("render").partition("\nCamera:\n")[2].partition("\nMovie:\n")[0]
-        known = set(re.findall(r"^  (--[a-z-]+)", groups, re.MULTILINE))
-        self.assertGreater(len(known), 25)
-        self.assertEqual(told - {"--time", "--box", "--follow-from"}, known)
-
     def test_pages_begin_with_what_they_are_for(self):
         """A heading, then a paragraph: no list, table, picture or second heading."""
         for document in documents():
