@@ -24,6 +24,7 @@
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkMath.h>
+#include <vtkPlaneCollection.h>
 #include <vtkPointData.h>
 #include <vtkPropCollection.h>
 #include <vtkRenderWindow.h>
