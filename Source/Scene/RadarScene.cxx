@@ -12,6 +12,7 @@
 #include "Scene/Shapes/Shapes.h"
 #include "Scene/VolumeAppearance.h"
 #include "Scene/VolumeCut.h"
+#include "nexrad/Settings/ValueTexts.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradThreads.h"
@@ -24,11 +25,13 @@
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkMath.h>
+#include <vtkOpenGLRenderWindow.h>
 #include <vtkPlaneCollection.h>
 #include <vtkPointData.h>
 #include <vtkPropCollection.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkTextureObject.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkVolume.h>
 #include <vtkVolumeMapper.h>
@@ -49,6 +52,12 @@ namespace
 // The ground is drawn a little lower than mean sea level, in scene units.
 constexpr double groundHeight = -0.0032;
 
+std::string SizeText(vtkImageData* volume)
+{
+  const int* size = volume->GetDimensions();
+  return DimensionsText({size[0], size[1], size[2]});
+}
+
 // A volume of one layer has no thickness, and VTK draws nothing of it.
 void RequireVoxels(vtkImageData* data, const SceneOptions& options)
 {
@@ -60,8 +69,7 @@ void RequireVoxels(vtkImageData* data, const SceneOptions& options)
   const int* size = data->GetDimensions();
   if (!options.plan && std::min({size[0], size[1], size[2]}) < 2)
   {
-    throw Error("the volume of " + std::to_string(size[0]) + "x" + std::to_string(size[1]) + "x" +
-                std::to_string(size[2]) +
+    throw Error("the volume of " + SizeText(data) +
                 " voxels is one layer without thickness; merge it with two layers or more "
                 "(--dims), or draw it as a map (--map)");
   }
@@ -92,7 +100,7 @@ RadarScene::RadarScene(const SceneOptions& sceneOptions, vtkRenderer* filled)
   renderer->SetBackground2(theme.skyTop[0], theme.skyTop[1], theme.skyTop[2]);
   renderer->GradientBackgroundOn();
   volume->SetProperty(MakeVolumeProperty());
-  startTag = renderer->AddObserver(vtkCommand::StartEvent, this, &RadarScene::UpdateShadows);
+  startTag = renderer->AddObserver(vtkCommand::StartEvent, this, &RadarScene::BeginFrame);
   this->TransferFunctionChanged();
 }
 
@@ -267,8 +275,9 @@ SceneFrame RadarScene::FollowEcho(vtkImageData* newData, const VolumeInformation
 }
 
 // The ground is drawn before the volume.
-void RadarScene::UpdateShadows()
+void RadarScene::BeginFrame()
 {
+  this->FitTexture();
   detail.Follow(volume);
   auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
   if (mapper == nullptr || ground.empty())
@@ -488,6 +497,36 @@ void RadarScene::FollowArray(vtkImageData* data)
     transferFunction = MakeTransferFunction(options, newArray);
     array = newArray;
     this->TransferFunctionChanged();
+  }
+}
+
+// How many voxels a texture may have is known once the renderer has a context.
+void RadarScene::FitTexture()
+{
+  auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
+  auto* whole = vtkImageData::SafeDownCast(mapper != nullptr ? mapper->GetDataSetInput() : nullptr);
+  const int most = vtkTextureObject::GetMaximumTextureSize3D(
+    vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
+  if (whole == nullptr || most < 1)
+  {
+    return;
+  }
+  const ThinnedVolume drawn = ThinOut(whole, most);
+  if (drawn.left.empty())
+  {
+    return;
+  }
+  mapper->SetInputDataObject(drawn.volume);
+  this->PlaceDetail();
+  this->UpdateSlices();
+  note += "; drawn: " + drawn.left;
+  this->DrawCaptions();
+  if (drawn.left != thinned)
+  {
+    thinned = drawn.left;
+    vtkWarningWithObjectMacro(renderer, << "OpenGL takes at most " << most
+      << " voxels along an axis, and the volume has " << SizeText(whole) << ": " << drawn.left
+      << " is drawn; fewer voxels (--dims), or those of a part (--bounds), are all drawn");
   }
 }
 

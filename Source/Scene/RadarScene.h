@@ -106,8 +106,9 @@ public:
   /// How volume and scene belong together; that of an empty scene before the first volume.
   const SceneFrame& Frame() const { return frame; }
 
-  /// Brings the shadow on the ground up to date. The beginning of each frame does so itself.
-  void UpdateShadows();
+  /// Takes out voxels of a volume that has more of them than OpenGL takes, and brings the shadow on
+  /// the ground up to date. The beginning of each frame does so itself.
+  void BeginFrame();
 
 private:
   using Props = std::vector<vtkSmartPointer<vtkProp>>;
@@ -126,6 +127,7 @@ private:
   double PixelsOf(double length) const;
   void DrawVolume(vtkImageData* placed, bool sameMapper);
   void DrawPlan(const PlanView& shown, vtkImageData* placed);
+  void FitTexture();
   void PlaceDetail();
   void DrawMark();
   std::vector<vtkVolumeMapper*> Mappers() const;
@@ -158,6 +160,7 @@ private:
   ColourScale scale;
   std::string note;                        ///< what the heights are, or which voxels a map shows
   std::vector<std::optional<double>> ages; ///< min, of the radars' data
+  std::string thinned;                     ///< what was said of voxels that OpenGL does not take
   std::string nothing;                     ///< what is said where nothing is to be seen
   TextPictures pictures;
   Props plan;

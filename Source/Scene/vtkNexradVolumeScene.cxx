@@ -607,7 +607,7 @@ void vtkNexradVolumeScene::FollowRendering()
   this->Update();
   if (this->Drawn->scene)
   {
-    this->Drawn->scene->UpdateShadows(); // a scene that is made now does not hear of this frame
+    this->Drawn->scene->BeginFrame(); // a scene that is made now does not hear of this frame
   }
   if (drawn != this->Camera && this->Camera->GetMTime() != before)
   {

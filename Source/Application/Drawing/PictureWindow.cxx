@@ -57,9 +57,7 @@ void PictureWindow::MakeCurrent()
 
 vtkSmartPointer<vtkImageData> PictureWindow::Draw()
 {
-  vtkSmartPointer<vtkImageData> picture = GrabPicture(window);
-  application::ThrowVtkErrors();
-  return picture;
+  return GrabPicture(window);
 }
 
 vtkSmartPointer<vtkImageData> GrabPicture(vtkRenderWindow* window)
@@ -70,6 +68,7 @@ vtkSmartPointer<vtkImageData> GrabPicture(vtkRenderWindow* window)
   grabber->ReadFrontBufferOff();
   grabber->ShouldRerenderOn();
   grabber->Update();
+  application::ThrowVtkErrors();
   return grabber->GetOutput();
 }
 

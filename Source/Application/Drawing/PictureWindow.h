@@ -33,14 +33,15 @@ public:
   /// needs in the context that is current.
   void MakeCurrent();
 
-  /// Draws the scene as it is now: red, green, blue, a byte each.
+  /// Draws the scene as it is now, as GrabPicture does.
   vtkSmartPointer<vtkImageData> Draw();
 
 private:
   vtkSmartPointer<vtkRenderWindow> window;
 };
 
-/// Draws a window and gives what it shows: red, green, blue, a byte each.
+/// Draws a window and gives what it shows: red, green, blue, a byte each. All pictures of the
+/// program come from here. Throws Error where VTK or OpenGL reports one meanwhile.
 vtkSmartPointer<vtkImageData> GrabPicture(vtkRenderWindow* window);
 
 /// A name for a picture of that time that no file of the folder has yet, with a number from the

@@ -6,6 +6,7 @@
 #include "Scene/Frame/VolumeInformation.h"
 #include "Scene/SceneOptions.h"
 #include "Viewer/Widgets.h"
+#include "nexrad/System/Error.h"
 
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkImageData.h>
@@ -312,6 +313,7 @@ void SceneView::SetVolume(vtkImageData* volume)
     scene->SetPreset("");
   }
   scene->SetVolume(volume);
+  failure.clear();
   emit VolumeShown();
   this->DrawSoon();
 }
@@ -327,10 +329,11 @@ void SceneView::Draw()
   {
     window->Render();
     ++drawn;
-    const std::string failure = application::NextVtkError();
-    if (!failure.empty())
+    const std::string problem = application::NextVtkError();
+    if (!problem.empty())
     {
-      emit DrawingFailed(QString::fromStdString(failure));
+      failure = problem;
+      emit DrawingFailed(QString::fromStdString(problem));
     }
   }
 }
@@ -343,6 +346,10 @@ std::array<int, 2> SceneView::PictureSize() const
 
 void SceneView::WritePicture(const std::filesystem::path& path)
 {
+  if (!failure.empty())
+  {
+    throw Error("the picture would lack what cannot be drawn: " + failure);
+  }
   const WithoutHandles plain(scene->GetRenderer());
   scene::WritePng(scene::GrabPicture(window), path);
   this->DrawSoon(); // the screen has them

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <filesystem>
+#include <string>
 
 class QPointF;
 class vtkGenericOpenGLRenderWindow;
@@ -58,7 +59,7 @@ public:
   std::array<int, 2> PictureSize() const;
 
   /// Draws the scene now, without handles, and writes it as PNG. Throws Error when the file cannot
-  /// be written.
+  /// be written, and for a volume that could not be drawn.
   void WritePicture(const std::filesystem::path& path);
 
   /// Pictures that were drawn since the window opened.
@@ -83,6 +84,7 @@ private:
   Soon* drawing;
   scene::CameraView first;
   int drawn = 0;
+  std::string failure; ///< of drawing the volume that is shown; VTK reports it once
 };
 
 /// A place of the view as VTK counts: pixels of the screen from the lower left corner.

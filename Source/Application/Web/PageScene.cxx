@@ -11,6 +11,7 @@
 #include "Scene/Shapes/Theme.h"
 #include "Scene/VolumeAppearance.h"
 #include "Web/PageCode.h"
+#include "nexrad/Settings/ValueTexts.h"
 #include "nexrad/System/Error.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkNew.h"
@@ -195,9 +196,17 @@ constexpr int groundTexels = 512; // along the longer side
 
 GriddedVolume VolumeOf(vtkImageData* image)
 {
+  constexpr int most = 2048; // of a texture, in browsers on Windows and on computers without a card
   if (image == nullptr || image->GetNumberOfPoints() == 0)
   {
     throw Error("the volume holds no voxels to draw");
+  }
+  const int* size = image->GetDimensions();
+  if (std::max({size[0], size[1], size[2]}) > most)
+  {
+    throw Error("the volume of " + DimensionsText({size[0], size[1], size[2]}) +
+                " voxels has more than the 2048 along an axis that browsers draw; merge it with "
+                "fewer (--dims), or a part of it (--bounds)");
   }
   return vtkNexradImageToVolume(image);
 }

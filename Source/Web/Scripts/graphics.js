@@ -109,6 +109,10 @@ export class Texture {
     Object.assign(this, { gl, size, format, type });
     this.target = size.length === 3 ? gl.TEXTURE_3D : gl.TEXTURE_2D;
     this.handle = prepare(gl, this.target, smooth);
+    const most = gl.getParameter(size.length === 3 ? gl.MAX_3D_TEXTURE_SIZE : gl.MAX_TEXTURE_SIZE);
+    if (Math.max(...size) > most) {
+      throw new Error(`This browser draws at most ${most} voxels along an axis, and the volume has ${size.join('x')}.`);
+    }
     if (size.length === 3) {
       gl.texStorage3D(this.target, 1, stored, ...size);
     } else {
