@@ -183,17 +183,6 @@ void vtkNexradDayReader::SetHeightRange(double lower, double upper)
   this->SetOption("height", nexrad::HeightRangeText(lower, upper).c_str());
 }
 
-void vtkNexradDayReader::SetMethod(int method)
-{
-  if (method != THESIS && method != BEAM)
-  {
-    vtkErrorMacro("method " << method << " is unknown: it can be THESIS (" << THESIS
-                            << ") or BEAM (" << BEAM << ")");
-    return;
-  }
-  this->SetOption("method", method == THESIS ? "thesis" : "beam");
-}
-
 void vtkNexradDayReader::AddFileName(const char* path)
 {
   if (path && *path)
@@ -327,23 +316,6 @@ nexrad::MergeOptions vtkNexradDayReader::MakeMergeOptions() const
     {
       nexrad::SetText(setting, text->second, options);
     }
-  }
-  if (this->UseGeographicBounds)
-  {
-    options.grid.bounds = nexrad::GeographicBounds{this->GeographicBounds[0],
-      this->GeographicBounds[1], this->GeographicBounds[2], this->GeographicBounds[3]};
-  }
-  if (this->UseStormMotion)
-  {
-    options.stormMotion = nexrad::Wind{this->StormMotion[0], this->StormMotion[1]};
-  }
-  if (this->UseGivenMotion)
-  {
-    options.motion = nexrad::Velocity{this->GivenMotion[0], this->GivenMotion[1]};
-  }
-  if (this->TimeInterpolation == LINEAR)
-  {
-    options.interpolation = nexrad::TimeInterpolationMethod::Linear;
   }
   for (const nexrad::MomentName moment : options.Moments())
   {
@@ -577,15 +549,6 @@ void vtkNexradDayReader::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << indent << setting.key << ": " << this->GetOption(setting.key.c_str()) << "\n";
   }
-  os << indent << "UseGeographicBounds: " << this->UseGeographicBounds << "\n";
-  os << indent << "GeographicBounds: " << this->GeographicBounds[0] << ", "
-     << this->GeographicBounds[1] << ", " << this->GeographicBounds[2] << ", "
-     << this->GeographicBounds[3] << "\n";
-  os << indent << "UseStormMotion: " << this->UseStormMotion << "\n";
-  os << indent << "StormMotion: " << this->StormMotion[0] << ", " << this->StormMotion[1] << "\n";
-  os << indent << "TimeInterpolation: " << this->TimeInterpolation << "\n";
-  os << indent << "UseGivenMotion: " << this->UseGivenMotion << "\n";
-  os << indent << "GivenMotion: " << this->GivenMotion[0] << ", " << this->GivenMotion[1] << "\n";
   os << indent << "TimeStep: " << this->TimeStep << "\n";
   os << indent << "BeginTime: " << this->BeginTime << "\n";
   os << indent << "EndTime: " << this->EndTime << "\n";

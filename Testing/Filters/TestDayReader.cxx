@@ -65,7 +65,8 @@ protected:
     reader->SetDimensions(48, 24, 8);
     reader->SetRange(100'000.0);
     reader->SetTimeStep(60.0);
-    reader->SetMethodToThesis(); // its times are those of whole volumes, which are round here
+    reader->SetOption(
+      "method", "thesis"); // its times are those of whole volumes, which are round here
     events->Observe(reader);
     events->Observe(reader->GetExecutive());
   }
@@ -250,8 +251,8 @@ TEST_F(DayReader, ChoosesTheVolumesAboutAnyTimeForEachSite)
 TEST_F(DayReader, TheDefaultMethodTakesEachRayAtItsOwnTime)
 {
   vtkNew<vtkNexradDayReader> untouched;
-  EXPECT_EQ(untouched->GetMethod(), static_cast<int>(vtkNexradDayReader::BEAM));
-  reader->SetMethodToBeam();
+  EXPECT_EQ(untouched->GetOption("method"), "beam");
+  reader->SetOption("method", "beam");
   // The rays are scanned within seconds of the volume's start, so values lag by a little.
   const GriddedVolume volume = this->At(start + 3min);
   EXPECT_EQ(volume.method, "beam");
@@ -269,12 +270,12 @@ TEST_F(DayReader, TheDefaultMethodTakesEachRayAtItsOwnTime)
 
 TEST_F(DayReader, AncillaryArraysOnRequest)
 {
-  reader->SetMethodToBeam();
-  reader->SetQualityToOff(); // rays that hold one value are a fault of the receiver
+  reader->SetOption("method", "beam");
+  reader->SetOption("quality", "off"); // rays that hold one value are a fault of the receiver
   reader->UpdateInformation();
   reader->UpdateTimeStep(nexrad::ToSeconds(start + 3min));
   EXPECT_EQ(reader->GetOutput()->GetPointData()->GetArray("REF_age"), nullptr);
-  reader->AncillaryArraysOn();
+  reader->SetOption("ancillary", "on");
   reader->UpdateTimeStep(nexrad::ToSeconds(start + 3min));
   vtkPointData* points = reader->GetOutput()->GetPointData();
   for (const char* name : {"REF_age", "REF_radars", "REF_weight", "REF_site"})
@@ -305,10 +306,9 @@ TEST_F(DayReader, AnswersTimesThroughThePipeline)
 
 TEST_F(DayReader, OutputIsTheGridThatWasAskedFor)
 {
-  reader->UseGeographicBoundsOn();
-  reader->SetGeographicBounds(-95.0, 38.0, -90.0, 40.0);
+  reader->SetOption("bounds", "-95,38,-90,40");
   reader->SetHeightRange(1000.0, 9000.0);
-  reader->SetAxesToGeographic();
+  reader->SetOption("axes", "geographic");
   reader->Update();
   double bounds[6];
   reader->GetOutput()->GetBounds(bounds);
@@ -387,9 +387,9 @@ TEST_F(DayReader, RequestsThatCannotBeMetAreErrors)
   reader->SetMoment("VEL");
   this->ExpectFailure(vtkErrorCode::UserError, "VEL");
   reader->SetMoment("REF");
-  reader->SetMethod(7);
-  EXPECT_TRUE(AnyHolds(events->errors, "method 7 is unknown"));
-  EXPECT_EQ(reader->GetMethod(), static_cast<int>(vtkNexradDayReader::THESIS));
+  reader->SetOption("method", 7.0);
+  this->ExpectFailure(vtkErrorCode::UserError, "'7' is no method");
+  reader->SetOption("method", "thesis");
   reader->ClearFileNames();
   this->ExpectFailure(vtkErrorCode::NoFileNameError, "no file name");
   reader->AddFileName((folder.Path() / "absent").c_str());
@@ -417,7 +417,7 @@ TEST_F(DayReader, TakesOptionsByTheirKeys)
 // A list of moments gives an array for each; a file without one of them still takes part.
 TEST_F(DayReader, SeveralMomentsAreMergedInOneRun)
 {
-  reader->SetMethodToBeam();
+  reader->SetOption("method", "beam");
   nexrad::testing::HandMadeVolume volume = ConstantVolume(keax, start + 9min, 20.0);
   nexrad::testing::HandMadeMoment velocity = volume.sweeps[0].moments[0];
   velocity.name = nexrad::MomentName::VEL;
@@ -539,7 +539,7 @@ TEST(DayReaderOnRealFiles, GivesTheMergeOfTheVolumesAboutTheTime)
   const std::filesystem::path run = data / "level2/run-kbgm-20050821";
   vtkNew<vtkNexradDayReader> reader;
   reader->SetDimensions(64, 64, 16);
-  reader->SetMethodToThesis();
+  reader->SetOption("method", "thesis");
   reader->AddFileName(run.c_str());
   reader->UpdateInformation();
   // The rays run from 02:43:19 to 03:12:12: 02:45, 02:50, … 03:10.
@@ -587,9 +587,9 @@ TEST(DayReaderOnRealFiles, DealiasesAsAsked)
   reader->SetMoment("VEL");
   EXPECT_EQ(reader->GetOption("dealiasing"), "on");
   const std::vector<float> unfolded = FirstVolumeOf(reader).values;
-  reader->DealiasingOff();
+  reader->SetOption("dealiasing", "off");
   EXPECT_NE(FirstVolumeOf(reader).values, unfolded);
-  reader->DealiasingOn();
+  reader->SetOption("dealiasing", "on");
   EXPECT_EQ(FirstVolumeOf(reader).values, unfolded);
 }
 
@@ -597,8 +597,7 @@ TEST(DayReaderOnRealFiles, DerivesMoments)
 {
   NEXRAD_REQUIRE_TEST_DATA(data);
   const auto reader = SmallDayOf(data / "level2/legacy/KTLX19990503_235621.gz");
-  reader->UseGeographicBoundsOn();
-  reader->SetGeographicBounds(-97.75, 35.21, -97.65, 35.29); // where the tornado is
+  reader->SetOption("bounds", "-97.75,35.21,-97.65,35.29"); // where the tornado is
   reader->SetMoment("AZSHEAR");
   const GriddedVolume shear = FirstVolumeOf(reader);
   EXPECT_AT_LEAST(*std::max_element(shear.values.begin(), shear.values.end()), 0.025,
@@ -606,8 +605,7 @@ TEST(DayReaderOnRealFiles, DerivesMoments)
   EXPECT_STREQ(reader->GetOutput()->GetPointData()->GetScalars()->GetName(), "AZSHEAR");
   reader->SetMoment("SRV");
   const std::vector<float> estimated = FirstVolumeOf(reader).values;
-  reader->UseStormMotionOn();
-  reader->SetStormMotion(12.0, 8.0);
+  reader->SetOption("storm-motion", "12,8");
   EXPECT_NE(FirstVolumeOf(reader).values, estimated);
 }
 
@@ -617,7 +615,7 @@ TEST(DayReaderOfTwoRadars, TakesBiasesOff)
   const nexrad::testing::TemporaryFolder folder;
   nexrad::testing::WriteTwoRadars(folder.Path(), 30.0, 34.0);
   const auto reader = SmallDayOf(folder.Path());
-  reader->SharpeningOff();
+  reader->SetOption("sharpening", "off");
   const auto largestWith = [&](const char* bias)
   {
     reader->SetOption("bias", bias);
@@ -647,23 +645,21 @@ TEST(DayReaderOnRealFiles, MovesEchoAsAsked)
   const auto reader = SmallDayOf(run / "KBGM20050821_024910.gz");
   reader->AddFileName((run / "KBGM20050821_030047.gz").c_str());
   reader->SetBeginTime(nexrad::ToSeconds(*nexrad::ParseIso8601("2005-08-21T02:55:00Z")));
-  EXPECT_EQ(reader->GetTimeInterpolation(), vtkNexradDayReader::MOTION);
+  EXPECT_EQ(reader->GetOption("motion"), "estimated");
   const std::vector<float> found = FirstVolumeOf(reader).values;
-  reader->SetTimeInterpolationToLinear();
+  reader->SetOption("motion", "none");
   const std::vector<float> linear = FirstVolumeOf(reader).values;
   EXPECT_NE(found, linear);
-  reader->SetGivenMotion(0.0, 0.0);
-  reader->UseGivenMotionOn();
-  reader->SetTimeInterpolationToMotion();
+  reader->SetOption("motion", "0,0");
   EXPECT_EQ(FirstVolumeOf(reader).values, linear);
-  reader->SetGivenMotion(20.0, 5.0);
+  reader->SetOption("motion", "20,5");
   const std::vector<float> given = FirstVolumeOf(reader).values;
   EXPECT_NE(given, linear);
   EXPECT_NE(given, found);
   vtkNew<EventCounter> events;
   events->Observe(reader);
   events->Observe(reader->GetExecutive());
-  reader->SetGivenMotion(200.0, 0.0);
+  reader->SetOption("motion", "200,0");
   reader->Update();
   EXPECT_EQ(reader->GetErrorCode(), vtkErrorCode::UserError);
   EXPECT_TRUE(AnyHolds(events->errors, "150 m/s"));

@@ -132,12 +132,12 @@ TEST(Pieces, OfAMergeAlongTheMotionWithAncillaryArrays)
   {
     reader->AddFileName((data / "level2/run-kbgm-20050821").c_str());
     reader->SetDimensions(31, 37, 11);
-    reader->AncillaryArraysOn();
+    reader->SetOption("ancillary", "on");
   }
   ExpectPiecesMakeTheWhole(alone, inPieces, time, 4, LookAway);
   EXPECT_NE(alone->GetOutput()->GetPointData()->GetArray("REF_age"), nullptr);
-  alone->SetMethodToThesis();
-  inPieces->SetMethodToThesis();
+  alone->SetOption("method", "thesis");
+  inPieces->SetOption("method", "thesis");
   ExpectPiecesMakeTheWhole(alone, inPieces, time, 3, LookAway);
 }
 
@@ -149,7 +149,7 @@ TEST(Pieces, OfVolumeFiles)
   vtkNew<vtkNexradDayReader> day;
   day->AddFileName(file.c_str());
   day->SetDimensions(33, 29, 10);
-  day->AncillaryArraysOn();
+  day->SetOption("ancillary", "on");
   const nexrad::testing::TemporaryFolder folder;
   const std::string path = folder.Path() / "volume.nxv";
   vtkNew<vtkNexradVolumeWriter> writer;

@@ -22,8 +22,7 @@ NOT_SETTINGS = {
 # What the plugin decides otherwise than the class: the processes of a server share the work.
 OTHER_DEFAULTS = {"SetUseGlobalController": 1}
 # Calls that set an option of the merge, which GetOption tells. Python.Merge compares the properties that call SetOption.
-OPTIONS = {"SetDimensions": "dims", "SetRange": "range", "SetHeightRange": "height", "SetDealiasing": "dealiasing",
-           "SetSharpening": "sharpening", "SetAncillaryArrays": "ancillary"}
+OPTIONS = {"SetDimensions": "dims", "SetRange": "range", "SetHeightRange": "height"}
 # A number is understood with one of these words beside it.
 UNITS = re.compile(r"metre|degree|second|byte|dBZ|unit|pixel|opacity|over the earth", re.IGNORECASE)
 

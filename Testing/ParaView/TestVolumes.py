@@ -113,12 +113,12 @@ class Merging(PipelineTest):
         reader.SetRange(150000)
         reader.SetHeightRange(500, 15500)
         reader.SetTimeStep(120)
-        reader.SetTimeInterpolationToLinear()
-        reader.SetSharpening(False)
-        reader.SetAncillaryArrays(True)
+        reader.SetOption("motion", "none")
+        reader.SetOption("sharpening", "off")
+        reader.SetOption("ancillary", "on")
         proxy = simple.NEXRADRadarDay(
             FileNames=list(SyntheticFiles.files()), Dimensions=GRID, Range=150000,
-            HeightRange=[500, 15500], TimeStep=120, TimeInterpolation="Linear", Sharpening=0,
+            HeightRange=[500, 15500], TimeStep=120, EchoMotion="none", Sharpening=0,
             AncillaryArrays=1)
         self.assertEqual(list(proxy.TimestepValues), time_steps(reader))
         self.assertGreater(len(proxy.TimestepValues), 3)

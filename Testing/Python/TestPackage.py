@@ -116,8 +116,7 @@ class Arrays(unittest.TestCase):
     def test_derived_moments_are_arrays_of_a_merged_volume(self):
         day = day_reader()
         day.SetMoment("VEL,SRV,AZSHEAR,DIV")
-        day.SetUseStormMotion(True)
-        day.SetStormMotion(0.0, 0.0)
+        day.SetOption("storm-motion", "0,0")
         volume = vtknexrad.update(day)
         echo = vtknexrad.array(volume, "VEL_state") == 0
         self.assertGreater(echo.sum(), 100)

@@ -200,7 +200,7 @@ class Pictures(unittest.TestCase):
         for path in SyntheticFiles.files():
             session.AddFileName(path)
         session.GetDayReader().SetDimensions(48, 48, 24)
-        session.GetDayReader().SetSharpening(False)
+        session.GetDayReader().SetOption("sharpening", "off")
         self.assertTrue(session.ShowTimeStep(0))
         session.GetScene().ClearFrame()
         steps = vtknexrad.time_steps(session.GetDayReader())
