@@ -270,6 +270,22 @@ TEST(Captions, SayWhyAMapHasNoValue)
   EXPECT_EQ(SaidOfMap(volume, PlanLevel::EchoTop), "Nothing was scanned here");
 }
 
+// A hundred names would take half of the picture.
+TEST(Captions, CountManyRadars)
+{
+  CaptionTexts texts;
+  texts.information.sites.assign(17, "KLSX");
+  EXPECT_EQ(SiteWords(texts), (std::vector<std::string>{"17", "radars"}));
+  texts.ages.assign(17, std::nullopt);
+  texts.ages[3] = 4.2;
+  texts.ages[5] = 0.3;
+  const std::vector<std::string> expected = {
+    "17", "radars,", "age", "of", "the", "data:", "<", "1", "to", "4", "min"};
+  EXPECT_EQ(SiteWords(texts), expected);
+  texts.information.sites.pop_back();
+  EXPECT_EQ(SiteWords(texts).front(), "Age") << "sixteen are named";
+}
+
 TEST(Captions, SayWhereAVolumeEnds)
 {
   GriddedVolume volume = nexrad::testing::MakeStorm(false);

@@ -402,12 +402,10 @@ std::string PageScene::MakeText(const std::vector<PageTime>& times, const std::s
 
 std::string PageScene::Title(const std::vector<PageTime>& times) const
 {
-  std::string title = (synthetic ? "SYNTHETIC: " : "") + scene::MomentScale(array, {}).title;
-  for (const std::string& site : SitesOf(times))
-  {
-    title += " " + site;
-  }
-  return title + ", " + FormatIso8601(times.front().time).substr(0, 10);
+  const std::string radars = scene::NameSites(SitesOf(times));
+  return (synthetic ? "SYNTHETIC: " : "") + scene::MomentScale(array, {}).title +
+         (radars.empty() ? "" : " " + radars) + ", " +
+         FormatIso8601(times.front().time).substr(0, 10);
 }
 
 PageTime CaptionsOf(vtkImageData* image, Time time, const scene::SceneOptions& options)

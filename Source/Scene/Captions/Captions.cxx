@@ -231,9 +231,59 @@ std::string TimeText(const VolumeInformation& information)
   return text + " UTC";
 }
 
-std::vector<std::string> SiteWords(const CaptionTexts& texts)
+constexpr std::size_t mostNamed = 16;
+
+std::string NameSites(const std::vector<std::string>& sites)
+{
+  if (sites.size() > mostNamed)
+  {
+    return std::to_string(sites.size()) + " radars";
+  }
+  std::string names;
+  for (const std::string& site : sites)
+  {
+    names += (names.empty() ? "" : " ") + site;
+  }
+  return names;
+}
+
+namespace
+{
+
+std::string MinutesText(double age)
+{
+  const long minutes = std::lround(age);
+  return minutes < 1 ? std::string("< 1") : std::to_string(minutes);
+}
+
+// Of many radars.
+std::vector<std::string> SummaryOf(
+  const std::string& radars, const std::vector<std::optional<double>>& ages)
+{
+  std::vector<double> known;
+  for (const std::optional<double>& age : ages)
+  {
+    if (age)
+    {
+      known.push_back(*age);
+    }
+  }
+  if (known.empty())
+  {
+    return WordsOf(radars);
+  }
+  const auto [least, most] = std::minmax_element(known.begin(), known.end());
+  return WordsOf(
+    radars + ", age of the data: " + MinutesText(*least) + " to " + MinutesText(*most) + " min");
+}
+
+std::vector<std::string> WordsOfSites(const CaptionTexts& texts)
 {
   const auto& sites = texts.information.sites;
+  if (sites.size() > mostNamed)
+  {
+    return SummaryOf(NameSites(sites), texts.ages);
+  }
   std::vector<std::string> words;
   if (!texts.ages.empty())
   {
@@ -244,12 +294,19 @@ std::vector<std::string> SiteWords(const CaptionTexts& texts)
     std::string word = sites[i];
     if (i < texts.ages.size() && texts.ages[i])
     {
-      const long minutes = std::lround(*texts.ages[i]);
-      word += " " + (minutes < 1 ? std::string("< 1") : std::to_string(minutes)) + " min";
+      word += " " + MinutesText(*texts.ages[i]) + " min";
     }
     const bool last = i + 1 == sites.size();
     words.push_back(word + (texts.ages.empty() || last ? "" : ","));
   }
+  return words;
+}
+
+} // namespace
+
+std::vector<std::string> SiteWords(const CaptionTexts& texts)
+{
+  std::vector<std::string> words = WordsOfSites(texts);
   const double share = texts.information.biologicalShare;
   if (share > MostlyBiological)
   {

@@ -53,7 +53,11 @@ CaptionLayer MakeCaptions(const CaptionTexts& texts, const std::array<int, 2>& s
 /// "2010-09-11 01:20:00 UTC", or that it is unknown.
 std::string TimeText(const VolumeInformation& information);
 
-/// Radars, each with the age of its data where it is known; then, where most of the echo is
+/// The names of radars; of more than 16 how many there are.
+std::string NameSites(const std::vector<std::string>& sites);
+
+/// Radars, each with the age of its data where it is known (of more than 16 the least and the
+/// greatest age); then, where most of the echo is
 /// biological, how much of it, and what else is to be said of their volumes.
 std::vector<std::string> SiteWords(const CaptionTexts& texts);
 
