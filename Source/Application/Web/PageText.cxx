@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Web/PageText.h"
 
+#include "Scene/Shapes/Embedded.h"
 #include "nexrad/Compression/Deflate.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/OrdinaryFile.h"
@@ -18,10 +19,6 @@ namespace nexrad::embedded
 {
 extern const unsigned char webPage[];
 extern const std::size_t webPageSize;
-extern const unsigned char letters[];
-extern const std::size_t lettersSize;
-extern const unsigned char boldLetters[];
-extern const std::size_t boldLettersSize;
 } // namespace nexrad::embedded
 
 namespace nexrad::application

@@ -2,18 +2,13 @@
 #include "Scene/Map/Elevations.h"
 
 #include "Scene/Map/MapData.h"
+#include "Scene/Shapes/Embedded.h"
 #include "nexrad/Compression/Deflate.h"
 #include "nexrad/System/Error.h"
 
 #include <array>
 #include <cmath>
 #include <limits>
-
-namespace nexrad::embedded
-{
-extern const unsigned char elevations[];
-extern const std::size_t elevationsSize;
-} // namespace nexrad::embedded
 
 namespace nexrad::scene
 {

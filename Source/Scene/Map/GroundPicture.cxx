@@ -5,6 +5,7 @@
 #include "Scene/Map/Elevations.h"
 #include "Scene/Map/MapData.h"
 #include "Scene/Map/PlacedMap.h"
+#include "Scene/Shapes/Embedded.h"
 #include "nexrad/Geometry/Angles.h"
 
 #include <vtkImageData.h>
@@ -14,12 +15,6 @@
 #include <array>
 #include <cmath>
 #include <utility>
-
-namespace nexrad::embedded
-{
-extern const unsigned char mapAreas[];
-extern const std::size_t mapAreasSize;
-} // namespace nexrad::embedded
 
 namespace nexrad::scene
 {

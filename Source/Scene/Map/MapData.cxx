@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Map/MapData.h"
 
+#include "Scene/Shapes/Embedded.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
@@ -9,16 +10,6 @@
 #include <locale>
 #include <sstream>
 #include <utility>
-
-namespace nexrad::embedded
-{
-extern const unsigned char mapLines[];
-extern const std::size_t mapLinesSize;
-extern const unsigned char mapNames[];
-extern const std::size_t mapNamesSize;
-extern const unsigned char mapTowns[];
-extern const std::size_t mapTownsSize;
-} // namespace nexrad::embedded
 
 namespace nexrad::scene
 {

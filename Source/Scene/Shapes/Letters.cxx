@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Shapes/Letters.h"
 
+#include "Scene/Shapes/Embedded.h"
+
 #include <vtkActor2D.h>
 #include <vtkCellArray.h>
 #include <vtkCoordinate.h>
@@ -28,14 +30,6 @@
 #include <sys/mman.h>
 #include <unistd.h>
 #endif
-
-namespace nexrad::embedded
-{
-extern const unsigned char letters[];
-extern const std::size_t lettersSize;
-extern const unsigned char boldLetters[];
-extern const std::size_t boldLettersSize;
-} // namespace nexrad::embedded
 
 namespace nexrad::scene
 {
