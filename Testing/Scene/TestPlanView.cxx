@@ -66,6 +66,11 @@ std::string ErrorOf(const PlanOptions& plan)
   return MessageOf([&] { MakePlanView(SourceOf(FiveColumns()), plan); });
 }
 
+PlanOptions MapOf(const std::string& array)
+{
+  return {PlanLevel::Composite, 0.0, array};
+}
+
 } // namespace
 
 // Water and relief are seen through the columns without echo, and those below the colour bar.
@@ -233,8 +238,8 @@ TEST(PlanView, AnArrayThatIsNotThereIsRefusedByName)
 TEST(ColourScale, AgesAreInMinutesUpToTheOldest)
 {
   const PlanView view = View(PlanLevel::Composite, "REF_age"); // to 131 s
-  const ColourScale scale =
-    ScaleFor(view, "REF_age", {}, MomentScale("REF", ColourStepsOf(MakeTransferFunction({}))));
+  const ColourScale scale = ScaleFor(
+    view, MapOf("REF_age"), {}, MomentScale("REF", ColourStepsOf(MakeTransferFunction({}))));
   EXPECT_EQ(scale.unit, "min");
   ASSERT_EQ(scale.bins.size(), 11u); // of 0.2 minutes
   EXPECT_NEAR(scale.bins[1].from, 0.2, 1e-9);
@@ -247,20 +252,20 @@ TEST(ColourScale, AgesAreInMinutesUpToTheOldest)
 TEST(ColourScale, RadarsAndSitesHaveABoxEach)
 {
   const PlanView radars = View(PlanLevel::Composite, "REF_radars");
-  const ColourScale numbers =
-    ScaleFor(radars, "REF_radars", {}, MomentScale("REF", ColourStepsOf(MakeTransferFunction({}))));
+  const ColourScale numbers = ScaleFor(
+    radars, MapOf("REF_radars"), {}, MomentScale("REF", ColourStepsOf(MakeTransferFunction({}))));
   EXPECT_EQ(numbers.labels, (std::vector<std::string>{"1", "2"}));
   EXPECT_EQ(FindBin(numbers, 1.0), 0);
   EXPECT_EQ(FindBin(numbers, 2.0), 1);
   const ColourScale sites =
-    ScaleFor(View(PlanLevel::Composite, "REF_site"), "REF_site", {"KEAX", "KLSX"}, {});
+    ScaleFor(View(PlanLevel::Composite, "REF_site"), MapOf("REF_site"), {"KEAX", "KLSX"}, {});
   EXPECT_EQ(sites.labels, (std::vector<std::string>{"KEAX", "KLSX"}));
   EXPECT_NE(sites.bins[0].colour, sites.bins[1].colour);
 }
 
 TEST(ColourScale, TheMomentKeepsItsTable)
 {
-  const ColourScale scale = ScaleFor(View(PlanLevel::Composite), "", {},
+  const ColourScale scale = ScaleFor(View(PlanLevel::Composite), PlanOptions(), {},
     MomentScale("REF", ColourStepsOf(MakeTransferFunction({}))));
   EXPECT_EQ(scale.unit, "dBZ");
   EXPECT_EQ(scale.bins.size(), ColourStepsOf(MakeTransferFunction({})).size());

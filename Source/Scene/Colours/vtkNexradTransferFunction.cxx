@@ -529,14 +529,14 @@ int vtkNexradTransferFunction::GetNumberOfPresets()
 const char* vtkNexradTransferFunction::GetPresetName(int index)
 {
   return index >= 0 && index < GetNumberOfPresets()
-           ? vtkNexradTransferFunctionPresetNames()[static_cast<std::size_t>(index)]
+           ? vtkNexradTransferFunctionPresetNames()[static_cast<std::size_t>(index)].first
            : nullptr;
 }
 
 const char* vtkNexradTransferFunction::GetPresetArray(int index)
 {
   return index >= 0 && index < GetNumberOfPresets()
-           ? vtkNexradTransferFunctionPresetArrays()[static_cast<std::size_t>(index)]
+           ? vtkNexradTransferFunctionPresetNames()[static_cast<std::size_t>(index)].second
            : nullptr;
 }
 
@@ -558,7 +558,7 @@ bool vtkNexradTransferFunction::ApplyPreset(const char* name)
   if (name == nullptr || !vtkNexradTransferFunctionPreset(name, this->Internal->Map))
   {
     std::string names;
-    for (const char* each : vtkNexradTransferFunctionPresetNames())
+    for (const auto& [each, array] : vtkNexradTransferFunctionPresetNames())
     {
       names += (names.empty() ? "" : ", ") + std::string(each);
     }

@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradTransferFunctionPresets.h"
 
+#include "Scene/Shapes/Embedded.h"
 #include "vtkNexradColorMap.h"
 #include "vtkNexradColorMapPalette.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <vector>
-
-namespace nexrad::embedded
-{
-extern const unsigned char reflectivityColours[];
-extern const std::size_t reflectivityColoursSize;
-} // namespace nexrad::embedded
 
 namespace
 {
@@ -308,36 +303,22 @@ std::vector<vtkNexradColorMap::Node> vtkNexradIsoShells(
   return nodes;
 }
 
-const std::vector<const char*>& vtkNexradTransferFunctionPresetNames()
+const std::vector<std::pair<const char*, const char*>>& vtkNexradTransferFunctionPresetNames()
 {
-  static const std::vector<const char*> names = []
+  static const std::vector<std::pair<const char*, const char*>> names = []
   {
-    std::vector<const char*> list;
+    std::vector<std::pair<const char*, const char*>> list;
     for (const Preset& preset : Presets())
     {
-      list.push_back(preset.Name);
+      list.emplace_back(preset.Name, "REF");
     }
     for (const vtkNexradMomentPreset& preset : vtkNexradMomentPresets())
     {
-      list.push_back(preset.Name);
+      list.emplace_back(preset.Name, preset.Array);
     }
     return list;
   }();
   return names;
-}
-
-const std::vector<const char*>& vtkNexradTransferFunctionPresetArrays()
-{
-  static const std::vector<const char*> arrays = []
-  {
-    std::vector<const char*> list(Presets().size(), "REF");
-    for (const vtkNexradMomentPreset& preset : vtkNexradMomentPresets())
-    {
-      list.push_back(preset.Array);
-    }
-    return list;
-  }();
-  return arrays;
 }
 
 bool vtkNexradTransferFunctionPreset(const std::string& name, vtkNexradColorMap& map)

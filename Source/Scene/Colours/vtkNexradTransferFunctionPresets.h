@@ -8,11 +8,8 @@
 #include <utility>
 #include <vector>
 
-/// Names of the presets, the default first.
-const std::vector<const char*>& vtkNexradTransferFunctionPresetNames();
-
-/// Names of the arrays that the presets are for, as "REF", in the same order.
-const std::vector<const char*>& vtkNexradTransferFunctionPresetArrays();
+/// Names of the presets, the default first, each with that of the array that it is for, as "REF".
+const std::vector<std::pair<const char*, const char*>>& vtkNexradTransferFunctionPresetNames();
 
 /// A preset by its name; false when there is none of that name.
 bool vtkNexradTransferFunctionPreset(const std::string& name, vtkNexradColorMap& map);

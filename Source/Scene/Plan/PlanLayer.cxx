@@ -167,14 +167,8 @@ ColourScale ScaleFor(const PlanView& view, const PlanOptions& plan,
   case PlanLevel::LiquidDensity:
     return LiquidDensityScale(plan.threshold);
   default:
-    return ScaleFor(view, plan.array, sites, moment);
+    return ScaleFor(LargestOf(view), plan.array, sites, moment);
   }
-}
-
-ColourScale ScaleFor(const PlanView& view, const std::string& array,
-  const std::vector<std::string>& sites, const ColourScale& moment)
-{
-  return ScaleFor(LargestOf(view), array, sites, moment);
 }
 
 ColourScale ScaleFor(double largest, const std::string& array,
