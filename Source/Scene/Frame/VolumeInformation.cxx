@@ -1,58 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Frame/VolumeInformation.h"
 
+#include "vtkNexradFieldData.h"
+
 #include <vtkDataArray.h>
-#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkPointData.h>
-#include <vtkStringArray.h>
 
 namespace nexrad::scene
 {
-namespace
-{
-
-std::vector<std::string> Texts(vtkFieldData* fields, const char* name)
-{
-  std::vector<std::string> texts;
-  auto* array = vtkStringArray::SafeDownCast(fields->GetAbstractArray(name));
-  for (vtkIdType i = 0; array != nullptr && i < array->GetNumberOfValues(); ++i)
-  {
-    texts.push_back(array->GetValue(i));
-  }
-  return texts;
-}
-
-std::string Text(vtkFieldData* fields, const char* name)
-{
-  const auto texts = Texts(fields, name);
-  return texts.empty() ? std::string() : texts.front();
-}
-
-std::optional<double> Number(vtkFieldData* fields, const char* name)
-{
-  vtkDataArray* array = fields->GetArray(name);
-  return array != nullptr && array->GetNumberOfTuples() > 0 ? std::optional(array->GetTuple1(0))
-                                                            : std::nullopt;
-}
-
-} // namespace
-
 VolumeInformation ReadVolumeInformation(vtkImageData* volume)
 {
   vtkFieldData* fields = volume->GetFieldData();
+  const auto number = [fields](const char* name) { return vtkNexradGetValue(fields, name); };
+  const auto text = [fields](const char* name)
+  {
+    const std::vector<std::string> texts = vtkNexradGetTexts(fields, name);
+    return texts.empty() ? std::string() : texts.front();
+  };
   VolumeInformation information;
-  if (const auto seconds = Number(fields, "TimeValue"))
+  if (const auto seconds = number("TimeValue"))
   {
     information.time = FromSeconds(*seconds);
   }
-  information.sites = Texts(fields, "Sites");
-  information.method = Text(fields, "Method");
-  information.projection = Text(fields, "Projection");
-  information.synthetic = Number(fields, "Synthetic").value_or(0.0) != 0.0;
-  information.sharpened = Number(fields, "Sharpened").value_or(0.0) != 0.0;
-  information.biologicalShare = Number(fields, "BiologicalShare").value_or(0.0);
-  information.notes = Texts(fields, "Notes");
+  information.sites = vtkNexradGetTexts(fields, "Sites");
+  information.method = text("Method");
+  information.projection = text("Projection");
+  information.synthetic = number("Synthetic").value_or(0.0) != 0.0;
+  information.sharpened = number("Sharpened").value_or(0.0) != 0.0;
+  information.biologicalShare = number("BiologicalShare").value_or(0.0);
+  information.notes = vtkNexradGetTexts(fields, "Notes");
   return information;
 }
 
