@@ -49,7 +49,7 @@ void CheckMemory(const GridSpecification& grid, std::size_t bytesBesides, std::s
   {
     throw Error(std::to_string(grid.VoxelCount()) + " voxels of " + std::to_string(bytesPerVoxel) +
                 " bytes need more memory than the " + std::to_string(maximumBytes) +
-                " bytes allowed");
+                " bytes allowed; merge it with fewer (--dims), or a part of it (--bounds)");
   }
 }
 
