@@ -21,7 +21,6 @@
 #include <vtkActor.h>
 #include <vtkBoundingBox.h>
 #include <vtkCamera.h>
-#include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkMath.h>
@@ -39,6 +38,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -82,6 +82,15 @@ std::string ScaleText(double exaggeration)
   return exaggeration == 1.0 ? "Height above mean sea level, to scale" : stream.str();
 }
 
+// Throws for a place that the camera cannot look at.
+void RequirePlace(const SceneContents& contents, const VolumeInformation& information)
+{
+  if (contents.view.lookAt)
+  {
+    SceneFrame(contents.volume, information, 1.0).PlaceOf(*contents.view.lookAt);
+  }
+}
+
 PresetWords NamesOfPresets(const SceneOptions& options)
 {
   return options.namesOptions ? PresetWords::Option : PresetWords::Setting;
@@ -89,25 +98,54 @@ PresetWords NamesOfPresets(const SceneOptions& options)
 
 } // namespace
 
-RadarScene::RadarScene(const SceneOptions& sceneOptions, vtkRenderer* filled)
-  : options(sceneOptions)
-  , theme(ThemeOf(sceneOptions.theme))
+// All of a volume that can be refused, made before anything changes.
+struct RadarScene::Prepared
+{
+  vtkSmartPointer<vtkImageData> given;
+  vtkSmartPointer<vtkImageData> drawn; // values in place of codes, where codes cannot be drawn
+  VolumeInformation information;
+  std::optional<PlanView> plan;
+  std::optional<ColourField> field;
+  vtkSmartPointer<vtkNexradTransferFunction> colours; // of another array than before
+};
+
+RadarScene::RadarScene(
+  const SceneContents& contents, vtkRenderer* filled, std::unique_ptr<RadarScene>& before)
+  : options(contents.options)
+  , theme(ThemeOf(options.theme))
+  , view(contents.view)
   , renderer(filled)
   , detail(renderer)
-  , transferFunction(MakeTransferFunction(sceneOptions, ""))
 {
+  if (before && !before->OtherColours(options))
+  {
+    transferFunction = before->transferFunction;
+    array = before->array;
+  }
+  Prepared prepared = Prepare(options, contents.volume, array);
+  RequirePlace(contents, prepared.information);
+  if (before)
+  {
+    pictures = std::move(before->pictures);
+    size = before->size;
+    before.reset(); // it fills the same renderer
+  }
   renderer->SetBackground(theme.skyBottom[0], theme.skyBottom[1], theme.skyBottom[2]);
   renderer->SetBackground2(theme.skyTop[0], theme.skyTop[1], theme.skyTop[2]);
   renderer->GradientBackgroundOn();
   volume->SetProperty(MakeVolumeProperty());
-  startTag = renderer->AddObserver(vtkCommand::StartEvent, this, &RadarScene::BeginFrame);
-  this->TransferFunctionChanged();
+  this->HoldEcho(contents.held);
+  this->FollowSize();
+  this->ShowVolume(std::move(prepared));
+  this->SetMark(contents.mark);
+  this->SetDetail(contents.detail);
+  colourTime = transferFunction->GetMTime();
 }
 
 RadarScene::~RadarScene()
 {
-  renderer->RemoveObserver(startTag);
-  for (Props* group : {&plan, &ground, &scales, &section, &mark, &captions, &labels})
+  for (Props* group :
+    {&plan, &ground.props, &scales.props, &section.props, &mark.props, &captions, &labels})
   {
     this->Replace(*group, {});
   }
@@ -124,25 +162,38 @@ TextStyle RadarScene::NoteStyle() const
   return {this->TextSize(), theme.scale, theme.rim};
 }
 
+bool RadarScene::OtherColours(const SceneOptions& other) const
+{
+  return remakeColours || !(WithColoursOf(options, other) == options);
+}
+
 void RadarScene::SetColours(const SceneOptions& other)
 {
   SceneOptions wanted = WithColoursOf(options, other);
   transferFunction = MakeTransferFunction(wanted, array);
+  remakeColours = false;
   const bool otherPreset = wanted.preset != options.preset;
   options = std::move(wanted);
-  if (otherPreset && shownData != nullptr && !holdsEcho)
+  if (otherPreset && !holdsEcho)
   {
     echo.reset(); // another preset may show other echo
-    this->SetVolume(vtkSmartPointer<vtkImageData>(shownData));
+    this->ShowAgain();
   }
 }
 
-void RadarScene::SetTransferFunction(
-  vtkNexradTransferFunction* function, const std::string& ofArray)
+// Changes that somebody made to the colours and opacities in use.
+void RadarScene::FollowColours()
 {
-  transferFunction = function;
-  array = ofArray;
-  this->TransferFunctionChanged();
+  const vtkMTimeType time = transferFunction->GetMTime();
+  if (time != colourTime)
+  {
+    colourTime = time;
+    this->TransferFunctionChanged();
+    if (options.plan)
+    {
+      this->ShowAgain();
+    }
+  }
 }
 
 void RadarScene::TransferFunctionChanged()
@@ -194,18 +245,44 @@ void RadarScene::FillProperty()
   }
 }
 
-bool RadarScene::CanFollow(const SceneOptions& other) const
+bool RadarScene::CanFollow(const SceneContents& contents) const
 {
-  SceneOptions same = other;
+  SceneOptions same = contents.options;
   same.slices = options.slices;
   same.light = options.light;
   same.cut = options.cut;
-  const bool oneArray = other.colourBy.empty() && options.colourBy.empty();
-  return (oneArray ? WithColoursOf(same, options) : same) == options;
+  const bool oneArray = same.colourBy.empty() && options.colourBy.empty();
+  // Another volume may be of another moment, with other presets.
+  return (oneArray ? WithColoursOf(same, options) : same) == options &&
+         !(this->OtherColours(contents.options) && this->IsOther(contents.volume));
 }
 
-void RadarScene::Follow(const SceneOptions& other)
+bool RadarScene::IsOther(vtkImageData* data) const
 {
+  return reframed || data != shownData || data->GetMTime() != shownTime;
+}
+
+void RadarScene::Follow(const SceneContents& contents)
+{
+  const bool otherVolume = this->IsOther(contents.volume);
+  std::optional<Prepared> prepared;
+  if (otherVolume)
+  {
+    prepared = Prepare(options, contents.volume, array);
+  }
+  RequirePlace(contents, prepared ? prepared->information : information);
+  if (prepared)
+  {
+    this->ShowVolume(std::move(*prepared));
+  }
+  const SceneOptions& other = contents.options;
+  if (this->OtherColours(other))
+  {
+    this->SetColours(other);
+  }
+  this->SetMark(contents.mark);
+  this->SetDetail(contents.detail);
+  this->FollowColours();
   if (other.slices != options.slices)
   {
     options.slices = other.slices;
@@ -219,6 +296,13 @@ void RadarScene::Follow(const SceneOptions& other)
   if (other.cut != options.cut)
   {
     this->SetCut(other.cut);
+  }
+  if (!(contents.view == view))
+  {
+    view = contents.view;
+    this->UpdateSlices();
+    this->DrawScales();
+    this->Aim();
   }
 }
 
@@ -250,6 +334,7 @@ void RadarScene::HoldEcho(const std::optional<EchoExtent>& held)
 {
   echo = held;
   holdsEcho = held.has_value();
+  reframed = true;
 }
 
 // The frame of a volume. It follows the echo only as far as it must: a series does not pump.
@@ -280,14 +365,14 @@ void RadarScene::BeginFrame()
   this->FitTexture();
   detail.Follow(volume);
   auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
-  if (mapper == nullptr || ground.empty())
+  if (mapper == nullptr || ground.props.empty())
   {
     return;
   }
   // The coarse light of an interaction is followed by that of the next picture at rest.
   vtkRenderWindow* window = renderer->GetRenderWindow();
   const bool moves = window != nullptr && window->GetDesiredUpdateRate() > 1.0;
-  groundShadow.Show(vtkActor::SafeDownCast(ground.front()),
+  groundShadow.Show(vtkActor::SafeDownCast(ground.props.front()),
     options.light.HasShadows() ? UpdateLight(mapper, renderer, volume) : nullptr, options.light,
     vtkImageData::SafeDownCast(mapper->GetDataSetInput()), moves);
 }
@@ -302,7 +387,7 @@ void RadarScene::SetCut(const CutOptions& cut)
   {
     mapper->SetClippingPlanes(CutPlanesOf(cut, frame));
   }
-  if (!sameSection && !ground.empty())
+  if (!sameSection && !ground.props.empty())
   {
     this->DrawSection();
     this->DrawLabels();
@@ -331,52 +416,24 @@ void RadarScene::LookForEcho()
   }
 }
 
-std::optional<std::array<double, 2>> RadarScene::GroundAt(const std::array<double, 2>& pixel)
+void RadarScene::FollowSize()
 {
-  std::array<std::array<double, 4>, 2> ends{}; // of the line of sight, homogeneous
-  for (std::size_t end = 0; end < ends.size(); ++end)
+  const int* now = renderer->GetSize();
+  if (now[0] <= 0 || now[1] <= 0 || (now[0] == size[0] && now[1] == size[1]))
   {
-    renderer->SetDisplayPoint(pixel[0], pixel[1], static_cast<double>(end));
-    renderer->DisplayToWorld();
-    renderer->GetWorldPoint(ends[end].data());
-    std::transform(ends[end].begin(), ends[end].end(), ends[end].begin(),
-      [scale = ends[end][3]](double part) { return part / scale; });
+    return;
   }
-  const auto& [near, far] = ends;
-  const double share = (frame.Bounds()[4] - near[2]) / (far[2] - near[2]);
-  if (ground.empty() || !(share >= 0.0))
+  size = {now[0], now[1]};
+  if (shownData != nullptr)
   {
-    return std::nullopt;
+    this->UpdateSlices();
+    this->DrawGround();
+    this->DrawSection();
+    this->DrawScales();
+    this->DrawMark();
+    this->DrawCaptions();
+    this->Aim();
   }
-  const auto [x, y, height] = frame.ToVolume(
-    {near[0] + share * (far[0] - near[0]), near[1] + share * (far[1] - near[1]), 0.0});
-  return std::array{x, y};
-}
-
-std::array<double, 2> RadarScene::PixelOf(const std::array<double, 2>& groundPoint) const
-{
-  const auto [x, y] = frame.FromVolume(groundPoint);
-  return Projection(renderer->GetActiveCamera(), size)({x, y, frame.Bounds()[4]});
-}
-
-void RadarScene::SetPictureSize(const std::array<int, 2>& pictureSize)
-{
-  size = pictureSize;
-  this->UpdateSlices();
-  this->DrawGround();
-  this->DrawSection();
-  this->DrawScales();
-  this->DrawMark();
-  this->DrawCaptions();
-  this->Aim();
-}
-
-void RadarScene::SetCamera(const CameraView& cameraView)
-{
-  view = cameraView;
-  this->UpdateSlices();
-  this->DrawScales();
-  this->Aim();
 }
 
 namespace
@@ -399,68 +456,76 @@ vtkSmartPointer<vtkImageData> AsDrawn(vtkImageData* data, const SceneOptions& op
 
 } // namespace
 
-void RadarScene::Check(const SceneOptions& options, vtkImageData* data)
+RadarScene::Prepared RadarScene::Prepare(
+  const SceneOptions& options, vtkImageData* data, const std::string& ofArray)
 {
   RequireVoxels(data, options);
   CheckCut(options.cut);
   CheckCutUnit(options.cut, data);
-  const vtkSmartPointer<vtkImageData> values = AsDrawn(data, options);
-  MakeTransferFunction(options, ArrayOf(values));
+  Prepared prepared;
+  prepared.given = data;
+  prepared.drawn = AsDrawn(data, options);
+  prepared.information = ReadVolumeInformation(prepared.drawn);
+  if (ArrayOf(prepared.drawn) != ofArray)
+  {
+    prepared.colours = MakeTransferFunction(options, ArrayOf(prepared.drawn));
+  }
   if (options.plan)
   {
-    MakePlanView(SourceOf(data), *options.plan, vtkNexradRangeLoop());
+    prepared.plan = MakePlanView(SourceOf(prepared.drawn), *options.plan, vtkNexradRangeLoop());
   }
   else if (!options.colourBy.empty())
   {
-    MakeColourField(options, values, ReadVolumeInformation(values));
+    prepared.field = MakeColourField(options, prepared.drawn, prepared.information);
   }
+  return prepared;
 }
 
-void RadarScene::SetVolume(vtkImageData* newVolume)
+void RadarScene::Check(const SceneOptions& options, vtkImageData* data)
 {
-  RequireVoxels(newVolume, options);
-  CheckCutUnit(options.cut, newVolume);
-  const vtkSmartPointer<vtkImageData> drawn = AsDrawn(newVolume, options);
-  VolumeInformation read = ReadVolumeInformation(drawn);
-  std::optional<PlanView> planView;
-  if (options.plan)
-  {
-    planView = MakePlanView(SourceOf(drawn), *options.plan, vtkNexradRangeLoop());
-  }
-  std::optional<ColourField> newField;
-  if (!options.plan && !options.colourBy.empty())
-  {
-    newField = MakeColourField(options, drawn, read);
-  }
-  if (view.lookAt)
-  {
-    SceneFrame(drawn, read, 1.0).PlaceOf(*view.lookAt); // throws before anything changes
-  }
-  SceneFrame newFrame = this->FollowEcho(drawn, read);
+  Prepare(options, data, "");
+}
+
+void RadarScene::ShowAgain()
+{
+  this->ShowVolume(Prepare(options, vtkSmartPointer<vtkImageData>(shownData), array));
+}
+
+void RadarScene::ShowVolume(Prepared prepared)
+{
+  vtkImageData* drawn = prepared.drawn;
+  const std::optional<PlanView>& planView = prepared.plan;
+  SceneFrame newFrame = this->FollowEcho(drawn, prepared.information);
   note = ScaleText(newFrame.Exaggeration());
-  note += newField && !newField->note.empty() ? "; " + newField->note : "";
+  note += prepared.field && !prepared.field->note.empty() ? "; " + prepared.field->note : "";
   if (options.plan)
   {
     newFrame.Flatten();
   }
-  const bool sameBox = newFrame.Bounds() == frame.Bounds() && !ground.empty();
+  const bool sameBox = newFrame.Bounds() == frame.Bounds() && !ground.props.empty();
   const bool sameGround = sameBox && newFrame.Framed() == frame.Framed();
   const std::vector<std::string> oldSites = information.sites;
-  field = std::move(newField);
-  this->FollowArray(drawn);
-  if (field)
+  field = std::move(prepared.field);
+  if (prepared.colours) // those of the same moment stay as they were changed
   {
-    this->TransferFunctionChanged(); // the scale of the colours is this volume's
+    transferFunction = prepared.colours;
+    array = ArrayOf(drawn);
+  }
+  if (prepared.colours || field || shownData == nullptr) // a field's scale is that of its volume
+  {
+    this->TransferFunctionChanged();
   }
   frame = newFrame;
-  shownData = newVolume;
+  shownData = prepared.given;
+  shownTime = shownData->GetMTime();
+  reframed = false;
   volume->GetProperty()->SetScalarOpacityUnitDistance(frame.OpacityDistance());
-  information = std::move(read);
+  information = std::move(prepared.information);
   ages = AgesOfData(drawn, array, information.sites.size());
   this->LookForEcho();
 
   vtkNew<vtkImageData> placed;
-  placed->ShallowCopy(field ? field->volume.Get() : drawn.Get());
+  placed->ShallowCopy(field ? field->volume.Get() : drawn);
   frame.MoveToScene(placed);
   if (planView)
   {
@@ -479,7 +544,7 @@ void RadarScene::SetVolume(vtkImageData* newVolume)
   {
     this->DrawGround();
   }
-  if (!sameGround || section.empty())
+  if (!sameGround || section.props.empty())
   {
     this->DrawSection();
   }
@@ -487,24 +552,12 @@ void RadarScene::SetVolume(vtkImageData* newVolume)
   this->Aim();
 }
 
-// The colours and opacities of another moment, once its first volume comes. Those of the same
-// moment stay as they were changed.
-void RadarScene::FollowArray(vtkImageData* data)
-{
-  const std::string newArray = ArrayOf(data);
-  if (newArray != array)
-  {
-    transferFunction = MakeTransferFunction(options, newArray);
-    array = newArray;
-    this->TransferFunctionChanged();
-  }
-}
-
 // How many voxels a texture may have is known once the renderer has a context.
 void RadarScene::FitTexture()
 {
   auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
-  auto* whole = vtkImageData::SafeDownCast(mapper != nullptr ? mapper->GetDataSetInput() : nullptr);
+  const vtkSmartPointer<vtkImageData> whole =
+    vtkImageData::SafeDownCast(mapper != nullptr ? mapper->GetDataSetInput() : nullptr);
   const int most = vtkTextureObject::GetMaximumTextureSize3D(
     vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
   if (whole == nullptr || most < 1)
@@ -524,8 +577,9 @@ void RadarScene::FitTexture()
   if (drawn.left != thinned)
   {
     thinned = drawn.left;
-    vtkWarningWithObjectMacro(renderer, << "OpenGL takes at most " << most
-      << " voxels along an axis, and the volume has " << SizeText(whole) << ": " << drawn.left
+    vtkWarningWithObjectMacro(renderer,
+      << "OpenGL takes at most " << most << " voxels along an axis, and the volume has "
+      << SizeText(whole) << ": " << drawn.left
       << " is drawn; fewer voxels (--dims), or those of a part (--bounds), are all drawn");
   }
 }
@@ -590,7 +644,7 @@ void RadarScene::PlaceDetail()
   this->FollowIsoValues();
 }
 
-void RadarScene::MarkBox(const std::optional<std::array<double, 4>>& faces)
+void RadarScene::SetMark(const std::optional<std::array<double, 4>>& faces)
 {
   if (faces != markFaces)
   {
@@ -601,45 +655,9 @@ void RadarScene::MarkBox(const std::optional<std::array<double, 4>>& faces)
 
 void RadarScene::DrawMark()
 {
-  LineBuilder lines;
-  markLabels.clear();
-  if (markFaces)
-  {
-    const auto& [west, east, south, north] = *markFaces;
-    const ScenePoint lower = frame.ToScene({west, south, 0.0});
-    const ScenePoint upper = frame.ToScene({east, north, 0.0});
-    const std::array<double, 6> box = {
-      lower[0], upper[0], lower[1], upper[1], frame.Bounds()[4], frame.Bounds()[5]};
-    const auto corner = [&](int x, int y, int z) -> ScenePoint
-    {
-      return {box[static_cast<std::size_t>(x)], box[static_cast<std::size_t>(2 + y)],
-        box[static_cast<std::size_t>(4 + z)]};
-    };
-    const auto time = detailData ? ReadVolumeInformation(detailData).time : std::nullopt;
-    if (time)
-    {
-      constexpr std::size_t day = 11; // letters before the time of day
-      constexpr std::size_t ofTime = 8;
-      const ScenePoint top = {0.5 * (box[0] + box[1]), box[3], box[5]}; // of the northern face
-      markLabels.push_back({FormatIso8601(*time).substr(day, ofTime) + " UTC", top,
-        {this->TextSize(), theme.marker, theme.rim},
-        {LabelSide::Above, LabelSide::Right, LabelSide::Left, LabelSide::Below},
-        0.5 * this->TextSize(), false});
-    }
-    for (const int z : {0, 1})
-    {
-      lines.Add(
-        {corner(0, 0, z), corner(1, 0, z), corner(1, 1, z), corner(0, 1, z), corner(0, 0, z)});
-    }
-    for (const int x : {0, 1})
-    {
-      for (const int y : {0, 1})
-      {
-        lines.Add({corner(x, y, 0), corner(x, y, 1)});
-      }
-    }
-  }
-  this->Replace(mark, {lines.MakeActor(theme.marker, 1.5)});
+  const auto time = detailData ? ReadVolumeInformation(detailData).time : std::nullopt;
+  this->Replace(
+    mark, markFaces ? MakeBoxMark(*markFaces, time, frame, this->TextSize(), theme) : SceneLayer());
   if (!outline.empty())
   {
     this->DrawLabels();
@@ -675,7 +693,8 @@ void RadarScene::Replace(Props& group, Props replacement)
 void RadarScene::OrderProps()
 {
   vtkPropCollection* props = renderer->GetViewProps();
-  for (const Props* group : {&scales, &ground, &section, &mark, &labels, &captions})
+  for (const Props* group :
+    {&scales.props, &ground.props, &section.props, &mark.props, &labels, &captions})
   {
     for (const auto& prop : *group)
     {
@@ -685,32 +704,32 @@ void RadarScene::OrderProps()
   }
 }
 
+void RadarScene::Replace(SceneLayer& layer, SceneLayer replacement)
+{
+  this->Replace(layer.props, std::move(replacement.props));
+  layer.labels = std::move(replacement.labels);
+}
+
 void RadarScene::DrawGround()
 {
-  SceneLayer layer = MakeMapLayer(
-    frame, {information.sites, options.ringSpacing, options.placeNames}, this->TextSize(), theme);
-  this->Replace(ground, std::move(layer.props));
-  groundLabels = std::move(layer.labels);
+  this->Replace(
+    ground, MakeMapLayer(frame, {information.sites, options.ringSpacing, options.placeNames},
+              this->TextSize(), theme));
 }
 
 void RadarScene::DrawSection()
 {
-  SceneLayer layer;
-  if (options.cut.section)
-  {
-    layer = MakeSectionMark(
-      *options.cut.section, frame, HeightOf(frame, GroundLevel::Section), this->TextSize(), theme);
-  }
-  this->Replace(section, std::move(layer.props));
-  sectionLabels = std::move(layer.labels);
+  const std::optional<SectionLine>& line = options.cut.section;
+  this->Replace(section, line ? MakeSectionMark(*line, frame, HeightOf(frame, GroundLevel::Section),
+                                  this->TextSize(), theme)
+                              : SceneLayer());
 }
 
 void RadarScene::DrawScales()
 {
   ScaleLayer layer = MakeScaleLayer(frame, view, options.heightWalls, this->TextSize(), theme);
-  this->Replace(scales, std::move(layer.props));
-  scaleLabels = std::move(layer.labels);
   outline = std::move(layer.outline);
+  this->Replace(scales, std::move(layer));
 }
 
 void RadarScene::DrawCaptions()
@@ -725,13 +744,20 @@ void RadarScene::DrawCaptions()
   this->Replace(captions, std::move(props));
 }
 
-// Labels of the scales first: they have one place each.
+// Labels of the scales first: they have one place each. Which radars are named goes by the zoom
+// alone, so that names stay when the camera turns or moves.
 void RadarScene::DrawLabels()
 {
-  std::vector<Label> all = scaleLabels;
-  all.insert(all.end(), sectionLabels.begin(), sectionLabels.end());
-  all.insert(all.end(), markLabels.begin(), markLabels.end());
-  all.insert(all.end(), groundLabels.begin(), groundLabels.end());
+  constexpr double lettersApart = 8.0;
+  std::vector<Label> all;
+  for (const SceneLayer* layer : {&scales, &section, &mark, &ground})
+  {
+    std::copy_if(layer->labels.begin(), layer->labels.end(), std::back_inserter(all),
+      [&](const Label& label) {
+        return label.spread <= 0.0 ||
+               this->PixelsOf(label.spread) >= lettersApart * this->TextSize();
+      });
+  }
   std::vector<PixelBox> boxes = taken;
   if (overScene)
   {
@@ -765,7 +791,7 @@ void RadarScene::Aim()
     return; // before the first size, camera or volume
   }
   FrameScene(
-    renderer->GetActiveCamera(), view, {outline, scaleLabels}, {size, right, taken}, pictures);
+    renderer->GetActiveCamera(), view, {outline, scales.labels}, {size, right, taken}, pictures);
   if (view.lookAt && (!view.lookAt->geographic || frame.HasMap())) // not before the first volume
   {
     CentreOn(renderer->GetActiveCamera(), frame.ToScene(frame.PlaceOf(*view.lookAt)));
@@ -779,7 +805,7 @@ void RadarScene::Aim()
 void RadarScene::FitClippingRange()
 {
   vtkBoundingBox box;
-  for (const Props& group : {Props{volume.Get()}, plan, scales})
+  for (const Props& group : {Props{volume.Get()}, plan, scales.props})
   {
     for (const auto& prop : group)
     {

@@ -17,9 +17,9 @@
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 class vtkImageData;
@@ -34,89 +34,81 @@ namespace nexrad::scene
 
 struct PlanView;
 
-/// A merged volume over its map, with colour bar, scales and captions. It fills a renderer and
-/// knows no window, so that pictures, movies and a viewer can share it.
+/// What a scene shows, and how.
+struct SceneContents
+{
+  SceneOptions options;
+  CameraView view;
+  /// A merged volume: vtkImageData in m (or degrees and m) with the moment as active scalars and
+  /// field data as the project's filters write them.
+  vtkSmartPointer<vtkImageData> volume;
+  vtkSmartPointer<vtkImageData> detail; ///< a finer one, drawn in place of what lies in its bounds
+  std::optional<std::array<double, 4>> mark; ///< box: west, east, south and north, in its units
+  std::optional<EchoExtent> held; ///< is framed, whatever volumes are shown; empty: the echo of the
+                                  ///< first, which grows where that of another leaves it
+};
+
+/// The drawing of a vtkNexradVolumeScene: a merged volume over its map, with colour bar, scales and
+/// captions. It fills a renderer, and follows what is asked of the scene as long as it can: its
+/// volume stays in texture memory.
 class RadarScene
 {
 public:
-  /// Fills the renderer.
-  RadarScene(const SceneOptions& options, vtkRenderer* renderer);
+  /// Fills the renderer in place of the drawing before, if there is one, which gives its letters
+  /// and the colours in use. Throws Error, and leaves that as it is, for contents that cannot be
+  /// drawn (vtkNexradVolumeScene).
+  RadarScene(
+    const SceneContents& contents, vtkRenderer* renderer, std::unique_ptr<RadarScene>& before);
   /// Takes out of the renderer what it put in.
   ~RadarScene();
   RadarScene(const RadarScene&) = delete;
   RadarScene& operator=(const RadarScene&) = delete;
 
-  /// Size of the picture in pixels; letters grow with its height.
-  void SetPictureSize(const std::array<int, 2>& size);
-  void SetCamera(const CameraView& view);
-
-  /// Shows a merged volume, or the map of it that the options ask for: vtkImageData in m (or
-  /// degrees and m) with the moment as active scalars and field data as the project's filters write
-  /// them. It is not changed. Throws Error when it has no voxels or no scalars, and for a map or an
-  /// array of colours that it cannot give.
-  void SetVolume(vtkImageData* volume);
-
-  /// Shows a finer volume in place of the part of the volume within its bounds; nullptr: none. A
-  /// map does not show it. Throws Error when it is none of the volume's moment in its projection,
-  /// and as SetVolume does.
-  void SetDetail(vtkImageData* detail);
-
-  /// Draws the edges of a box of the domain: west, east, south and north faces in the volume's
-  /// units, and names the time of the finer volume there. Empty: of none.
-  void MarkBox(const std::optional<std::array<double, 4>>& faces);
-
-  /// Throws Error for whatever a scene with these options would throw for in SetVolume.
-  static void Check(const SceneOptions& options, vtkImageData* volume);
-
-  /// Name of the array that is shown, as "REF"; empty before the first volume.
-  const std::string& Array() const { return array; }
-
-  /// Colours and opacities (where another array gives the colours, its opacities alone are used),
-  /// those of another moment from the volume on that is the first of it;
-  /// after a change of them TransferFunctionChanged brings the scene up to date.
-  vtkNexradTransferFunction* TransferFunction() const { return transferFunction; }
-  /// Makes them anew, for the moment that is shown, of the preset, the file and the iso-values of
-  /// other options; TransferFunctionChanged draws them. Throws Error, and changes nothing, for what
-  /// MakeTransferFunction throws for.
-  void SetColours(const SceneOptions& other);
-  /// Takes over those that another scene has for the moment of that array.
-  void SetTransferFunction(vtkNexradTransferFunction* function, const std::string& ofArray);
-  /// The pictures of letters that were drawn so far, for another scene: they take long to draw.
-  TextPictures TakeLetters() { return std::move(pictures); }
-  void SetLetters(TextPictures letters) { pictures = std::move(letters); }
-  void TransferFunctionChanged();
-
-  const SceneOptions& Options() const { return options; }
-  /// Whether SetColours and Follow bring the scene to other options: its volume stays in texture
-  /// memory. Else it has to be made anew.
-  bool CanFollow(const SceneOptions& other) const;
-  /// Takes over the number of slices, the light that the volume stands in, what is cut away, and
-  /// the line of a section on the ground, where they differ. Throws Error for a cut that cannot be.
-  void Follow(const SceneOptions& other);
-
-  /// Frames that echo, whatever the volumes from the next on show. Nothing: that of the first
-  /// volume of a grid and a moment, which grows where the echo of another leaves it.
+  /// Whether Follow brings the drawing to other contents; else it has to be made anew.
+  bool CanFollow(const SceneContents& contents) const;
+  /// Draws what differs. Throws Error, as above.
+  void Follow(const SceneContents& contents);
+  /// The next contents are framed by the echo that they hold, or by that of their own volume.
   void HoldEcho(const std::optional<EchoExtent>& held);
 
-  /// x and y of the volume where a line of sight meets the ground, which may be beyond the domain;
-  /// nothing where it meets the sky. The pixel counts from the lower left corner.
-  std::optional<std::array<double, 2>> GroundAt(const std::array<double, 2>& pixel);
-  /// The place of the ground in the picture in pixels from the lower left corner.
-  std::array<double, 2> PixelOf(const std::array<double, 2>& groundPoint) const;
-  /// How volume and scene belong together; that of an empty scene before the first volume.
+  /// Throws Error for what a scene with these options would throw for.
+  static void Check(const SceneOptions& options, vtkImageData* volume);
+
+  /// Colours and opacities (where another array gives the colours, its opacities alone are used),
+  /// which may be changed; Follow draws the change.
+  vtkNexradTransferFunction* TransferFunction() const { return transferFunction; }
+  /// They are made anew by the next contents.
+  void ResetColours() { remakeColours = true; }
+
+  /// How volume and scene belong together.
   const SceneFrame& Frame() const { return frame; }
 
-  /// Takes out voxels of a volume that has more of them than OpenGL takes, and brings the shadow on
-  /// the ground up to date. The beginning of each frame does so itself.
+  /// Draws for another size of the renderer, if it has one: letters grow with its height.
+  void FollowSize();
+  /// At the beginning of each frame: takes out voxels of a volume that has more of them than OpenGL
+  /// takes, and brings the shadow on the ground up to date.
   void BeginFrame();
 
 private:
   using Props = std::vector<vtkSmartPointer<vtkProp>>;
 
+  struct Prepared;
+  static Prepared Prepare(
+    const SceneOptions& options, vtkImageData* volume, const std::string& ofArray);
+
+  bool IsOther(vtkImageData* data) const;
+  bool OtherColours(const SceneOptions& other) const;
+  void SetColours(const SceneOptions& other);
+  void FollowColours();
+  void ShowVolume(Prepared prepared);
+  void ShowAgain();
+  void SetDetail(vtkImageData* newDetail);
+  void SetMark(const std::optional<std::array<double, 4>>& faces);
   SceneFrame FollowEcho(vtkImageData* data, const VolumeInformation& read);
   void Replace(Props& group, Props replacement);
+  void Replace(SceneLayer& layer, SceneLayer replacement);
   void OrderProps();
-  void FollowArray(vtkImageData* data);
+  void TransferFunctionChanged();
   void FollowIsoValues();
   void DrawGround();
   void DrawSection();
@@ -146,15 +138,18 @@ private:
   SceneFrame frame;
   std::optional<EchoExtent> echo;
   bool holdsEcho = false;                  ///< and measures none
+  bool reframed = false;                   ///< since the volume was shown
   vtkSmartPointer<vtkImageData> shownData; ///< as it was given
+  vtkMTimeType shownTime = 0;              ///< of it, then
   VolumeInformation information;
   vtkSmartPointer<vtkRenderer> renderer;
-  unsigned long startTag = 0; ///< of the observer of the renderer
   vtkNew<vtkVolume> volume;
   DetailVolume detail;
   vtkSmartPointer<vtkImageData> detailData;       ///< as it was given
   std::optional<std::array<double, 4>> markFaces; ///< in the volume's units
   vtkSmartPointer<vtkNexradTransferFunction> transferFunction;
+  vtkMTimeType colourTime = 0; ///< of it, when it was drawn
+  bool remakeColours = false;
   std::string array;                ///< that is shown
   std::optional<ColourField> field; ///< where another array gives the colours
   ColourScale scale;
@@ -164,17 +159,13 @@ private:
   std::string nothing;                     ///< what is said where nothing is to be seen
   TextPictures pictures;
   Props plan;
-  Props ground; ///< the ground itself is the first
+  SceneLayer ground; ///< the ground itself is the first
   GroundShadow groundShadow;
-  Props section; ///< its line on the ground
-  Props scales;
-  Props mark;
+  SceneLayer section; ///< its line on the ground
+  SceneLayer scales;
+  SceneLayer mark;
   Props captions;
   Props labels;
-  std::vector<Label> groundLabels;
-  std::vector<Label> sectionLabels;
-  std::vector<Label> markLabels;
-  std::vector<Label> scaleLabels;
   std::vector<ScenePoint> outline;   ///< of the domain and its scales
   std::vector<PixelBox> taken;       ///< by captions
   std::optional<PixelBox> overScene; ///< by the words where nothing is to be seen

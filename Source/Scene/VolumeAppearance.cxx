@@ -143,8 +143,8 @@ ThinnedVolume ThinOut(vtkImageData* volume, int most)
     if (steps[axis] > 1)
     {
       const std::string end = steps[axis] == 2 ? "nd" : steps[axis] == 3 ? "rd" : "th";
-      thinned.left += (thinned.left.empty() ? "every " : ", every ") +
-                      std::to_string(steps[axis]) + end + " voxel along " + "xyz"[axis];
+      thinned.left += (thinned.left.empty() ? "every " : ", every ") + std::to_string(steps[axis]) +
+                      end + " voxel along " + "xyz"[axis];
     }
   }
   if (!thinned.left.empty())

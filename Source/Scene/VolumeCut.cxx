@@ -2,6 +2,7 @@
 #include "Scene/VolumeCut.h"
 
 #include "Scene/Frame/VolumeInformation.h"
+#include "Scene/Scales/ScaleLayer.h"
 #include "Scene/Shapes/Shapes.h"
 #include "nexrad/System/Error.h"
 
@@ -134,6 +135,39 @@ SceneLayer MakeSectionMark(
     layer.labels.push_back(
       {name, point, style, {LabelSide::Above, LabelSide::Right, LabelSide::Left, LabelSide::Below},
         radius + 0.25 * textSize});
+  }
+  return layer;
+}
+
+SceneLayer MakeBoxMark(const std::array<double, 4>& faces, const std::optional<Time>& time,
+  const SceneFrame& frame, int textSize, const Theme& theme)
+{
+  constexpr double edgeWidth = 1.5; // pixels
+  const auto& [west, east, south, north] = faces;
+  const ScenePoint lower = frame.ToScene({west, south, 0.0});
+  const ScenePoint upper = frame.ToScene({east, north, 0.0});
+  const std::array<double, 6> box = {
+    lower[0], upper[0], lower[1], upper[1], frame.Bounds()[4], frame.Bounds()[5]};
+  LineBuilder edges;
+  for (const int level : {0, 4})
+  {
+    edges.Add({CornerOfBox(box, level), CornerOfBox(box, level + 1), CornerOfBox(box, level + 3),
+      CornerOfBox(box, level + 2), CornerOfBox(box, level)});
+  }
+  for (const int corner : {0, 2, 1, 3})
+  {
+    edges.Add({CornerOfBox(box, corner), CornerOfBox(box, corner + 4)});
+  }
+  SceneLayer layer;
+  layer.props = {edges.MakeActor(theme.marker, edgeWidth)};
+  if (time)
+  {
+    constexpr std::size_t day = 11; // letters before the time of day
+    constexpr std::size_t ofTime = 8;
+    const ScenePoint top = {0.5 * (box[0] + box[1]), box[3], box[5]}; // of the northern face
+    layer.labels.push_back(
+      {FormatIso8601(*time).substr(day, ofTime) + " UTC", top, {textSize, theme.marker, theme.rim},
+        {LabelSide::Above, LabelSide::Right, LabelSide::Left, LabelSide::Below}, 0.5 * textSize});
   }
   return layer;
 }

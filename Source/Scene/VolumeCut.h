@@ -5,6 +5,7 @@
 #include "Scene/Shapes/Letters.h"
 #include "Scene/Shapes/Theme.h"
 #include "nexrad/Grid/PlaceUnit.h"
+#include "nexrad/Model/Time.h"
 #include "nexrad/Products/VerticalSection.h"
 
 #include <vtkSmartPointer.h>
@@ -64,5 +65,10 @@ vtkSmartPointer<vtkPlaneCollection> CutPlanesOf(const CutOptions& cut, const Sce
 /// of the ground in the scene.
 SceneLayer MakeSectionMark(const SectionLine& line, const SceneFrame& frame, double height,
   int textSize, const Theme& theme);
+
+/// The edges of a box of the domain (west, east, south and north), and the time of what is drawn in
+/// it, where it is known.
+SceneLayer MakeBoxMark(const std::array<double, 4>& faces, const std::optional<Time>& time,
+  const SceneFrame& frame, int textSize, const Theme& theme);
 
 } // namespace nexrad::scene

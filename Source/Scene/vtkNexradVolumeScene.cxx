@@ -3,6 +3,8 @@
 
 #include "Scene/DrawingSettings.h"
 #include "Scene/EchoFraming.h"
+#include "Scene/EchoSearch.h"
+#include "Scene/Frame/PictureLayout.h"
 #include "Scene/Frame/VolumeInformation.h"
 #include "Scene/RadarScene.h"
 #include "nexrad/System/Error.h"
@@ -27,142 +29,9 @@ using nexrad::scene::CameraView;
 using nexrad::scene::EchoExtent;
 using nexrad::scene::LookAt;
 using nexrad::scene::RadarScene;
+using nexrad::scene::SceneContents;
 using nexrad::scene::SceneFrame;
 using nexrad::scene::SceneOptions;
-
-// What is asked of the scene.
-struct vtkNexradVolumeScene::Settings
-{
-  SceneOptions options; // but what is cut away
-  CameraView view;
-  std::optional<std::array<double, 4>> mark; // west, east, south, north
-};
-
-// What the renderer holds.
-struct vtkNexradVolumeScene::Drawing
-{
-  CameraView view;
-  std::array<int, 2> size = {1280, 720}; // of the renderer, once it is known
-  vtkImageData* volume = nullptr;        // compared, never followed
-  vtkMTimeType volumeTime = 0;
-  vtkMTimeType colorTime = 0;
-  bool remakeColors = false;
-  std::optional<EchoExtent> held; // of AddToFrame
-  std::unique_ptr<RadarScene> scene;
-  vtkMTimeType tried = 0; // time of the settings that the last update was for
-  bool succeeded = true;
-
-  void Update(const vtkNexradVolumeScene* self);
-  void Rebuild(const vtkNexradVolumeScene* self, const SceneOptions& wanted);
-  void ShowVolume(vtkImageData* newVolume);
-  void HoldEcho();
-  void FollowColors();
-};
-
-// Throws Error, and leaves the old scene as it is, for what the volume cannot be drawn with.
-void vtkNexradVolumeScene::Drawing::Rebuild(
-  const vtkNexradVolumeScene* self, const SceneOptions& wanted)
-{
-  vtkSmartPointer<vtkNexradTransferFunction> colors;
-  std::string array;
-  nexrad::scene::TextPictures letters;
-  if (scene)
-  {
-    RadarScene::Check(wanted, self->Volume);
-    if (WithColoursOf(scene->Options(), wanted) == scene->Options() && !remakeColors)
-    {
-      colors = scene->TransferFunction();
-      array = scene->Array();
-    }
-    letters = scene->TakeLetters();
-    scene.reset(); // it fills the same renderer
-  }
-  auto made = std::make_unique<RadarScene>(wanted, self->Renderer);
-  made->SetLetters(std::move(letters));
-  if (colors)
-  {
-    made->SetTransferFunction(colors, array);
-  }
-  made->HoldEcho(held);
-  made->SetCamera(view);
-  made->SetPictureSize(size);
-  made->SetVolume(self->Volume);
-  scene = std::move(made);
-  volume = self->Volume;
-  volumeTime = volume->GetMTime();
-  scene->MarkBox(self->Wanted->mark);
-  scene->SetDetail(self->Detail);
-  remakeColors = false;
-  colorTime = scene->TransferFunction()->GetMTime();
-}
-
-void vtkNexradVolumeScene::Drawing::ShowVolume(vtkImageData* newVolume)
-{
-  scene->SetVolume(newVolume);
-  volume = newVolume;
-  volumeTime = newVolume->GetMTime();
-}
-
-void vtkNexradVolumeScene::Drawing::HoldEcho()
-{
-  volume = nullptr; // shown again, within the other frame
-  if (scene)
-  {
-    scene->HoldEcho(held);
-  }
-}
-
-// Changes that the user made to the colours and opacities in use.
-void vtkNexradVolumeScene::Drawing::FollowColors()
-{
-  const vtkMTimeType time = scene->TransferFunction()->GetMTime();
-  if (time != colorTime)
-  {
-    colorTime = time;
-    scene->TransferFunctionChanged();
-    if (scene->Options().plan)
-    {
-      scene->SetVolume(volume);
-    }
-  }
-}
-
-void vtkNexradVolumeScene::Drawing::Update(const vtkNexradVolumeScene* self)
-{
-  const SceneOptions wanted = self->GetOptions();
-  const CameraView& wantedView = self->Wanted->view;
-  if (wantedView.lookAt)
-  {
-    SceneFrame(self->Volume, 1.0).PlaceOf(*wantedView.lookAt); // throws where it cannot have it
-  }
-  const bool sameView = wantedView == view;
-  view = wantedView;
-  const bool otherColors =
-    scene && (remakeColors || !(WithColoursOf(scene->Options(), wanted) == scene->Options()));
-  const bool otherVolume = self->Volume != volume || self->Volume->GetMTime() != volumeTime;
-  if (!scene || !scene->CanFollow(wanted) || (otherColors && otherVolume))
-  {
-    this->Rebuild(self, wanted); // another volume may be of another moment, with other presets
-    return;
-  }
-  if (otherVolume)
-  {
-    this->ShowVolume(self->Volume);
-  }
-  if (otherColors)
-  {
-    scene->SetColours(wanted);
-    remakeColors = false;
-  }
-  scene->MarkBox(self->Wanted->mark);
-  scene->SetDetail(self->Detail);
-  this->FollowColors();
-  scene->Follow(wanted);
-  if (!sameView)
-  {
-    scene->SetCamera(view);
-  }
-}
 
 namespace
 {
@@ -242,9 +111,9 @@ std::string vtkNexradVolumeScene::GetOption(const char* key) const
 {
   const auto* setting = FindOption(key);
   nexrad::scene::DrawingOptions asked = this->Asked();
-  if (this->Volume != nullptr && asked.scene.cut.unit == nexrad::PlaceUnit::OfVolume)
+  if (this->Wanted->volume != nullptr && asked.scene.cut.unit == nexrad::PlaceUnit::OfVolume)
   {
-    asked.scene.cut.unit = nexrad::scene::PlaceUnitOf(this->Volume);
+    asked.scene.cut.unit = nexrad::scene::PlaceUnitOf(this->Wanted->volume);
   }
   return setting != nullptr ? setting->text(asked) : "";
 }
@@ -317,8 +186,7 @@ vtkStandardNewMacro(vtkNexradVolumeScene);
 
 vtkNexradVolumeScene::vtkNexradVolumeScene()
   : Renderer(vtkSmartPointer<vtkRenderer>::New())
-  , Wanted(std::make_unique<Settings>())
-  , Drawn(std::make_unique<Drawing>())
+  , Wanted(std::make_unique<SceneContents>())
 {
   this->Wanted->options.namesOptions = false;
   this->ObserveRenderer();
@@ -338,7 +206,8 @@ void vtkNexradVolumeScene::ObserveRenderer()
 
 void vtkNexradVolumeScene::ForgetRenderer()
 {
-  this->Drawn = std::make_unique<Drawing>();
+  this->Drawn.reset();
+  this->Tried = 0;
   this->Renderer->RemoveObserver(this->RendererTag);
 }
 
@@ -365,30 +234,30 @@ vtkRenderer* vtkNexradVolumeScene::GetRenderer() const
 
 void vtkNexradVolumeScene::SetVolume(vtkImageData* volume)
 {
-  if (volume != this->Volume)
+  if (volume != this->Wanted->volume)
   {
-    this->Volume = volume;
+    this->Wanted->volume = volume;
     this->Modified();
   }
 }
 
 vtkImageData* vtkNexradVolumeScene::GetVolume() const
 {
-  return this->Volume;
+  return this->Wanted->volume;
 }
 
 void vtkNexradVolumeScene::SetDetail(vtkImageData* detail)
 {
-  if (detail != this->Detail)
+  if (detail != this->Wanted->detail)
   {
-    this->Detail = detail;
+    this->Wanted->detail = detail;
     this->Modified();
   }
 }
 
 vtkImageData* vtkNexradVolumeScene::GetDetail() const
 {
-  return this->Detail;
+  return this->Wanted->detail;
 }
 
 void vtkNexradVolumeScene::MarkBox(double west, double east, double south, double north)
@@ -405,7 +274,7 @@ void vtkNexradVolumeScene::AddToFrame(vtkImageData* volume)
 {
   try
   {
-    const std::optional<EchoExtent>& held = this->Drawn->held;
+    const std::optional<EchoExtent>& held = this->Wanted->held;
     const auto echo = nexrad::scene::MeasureEcho(volume, this->GetOptions());
     this->HoldEcho(held && echo ? nexrad::scene::Join(*held, *echo) : (echo ? echo : held));
   }
@@ -422,24 +291,30 @@ void vtkNexradVolumeScene::ClearFrame()
 
 void vtkNexradVolumeScene::HoldEcho(const std::optional<EchoExtent>& echo)
 {
-  this->Drawn->held = echo;
-  this->Drawn->HoldEcho();
+  this->Wanted->held = echo;
+  if (this->Drawn)
+  {
+    this->Drawn->HoldEcho(echo);
+  }
   this->Modified();
 }
 
 const SceneFrame* vtkNexradVolumeScene::GetSceneFrame() const
 {
-  return this->Drawn->scene ? &this->Drawn->scene->Frame() : nullptr;
+  return this->Drawn ? &this->Drawn->Frame() : nullptr;
 }
 
 vtkNexradTransferFunction* vtkNexradVolumeScene::GetTransferFunction() const
 {
-  return this->Drawn->scene ? this->Drawn->scene->TransferFunction() : nullptr;
+  return this->Drawn ? this->Drawn->TransferFunction() : nullptr;
 }
 
 void vtkNexradVolumeScene::ResetTransferFunction()
 {
-  this->Drawn->remakeColors = true;
+  if (this->Drawn)
+  {
+    this->Drawn->ResetColours();
+  }
   this->Modified();
 }
 
@@ -461,90 +336,100 @@ void vtkNexradVolumeScene::LookAtDomain()
 bool vtkNexradVolumeScene::GetLookAt(double place[3])
 {
   const std::optional<LookAt>& lookAt = this->Wanted->view.lookAt;
-  if (!lookAt || this->Volume == nullptr)
+  if (!lookAt || this->Wanted->volume == nullptr)
   {
     return false;
   }
-  const SceneFrame frame(this->Volume, 1.0);
-  if (lookAt->geographic && !frame.HasMap())
+  const SceneFrame frame(this->Wanted->volume, 1.0);
+  const bool has = !lookAt->geographic || frame.HasMap();
+  if (has)
   {
-    return false;
+    const std::array<double, 3> found = frame.PlaceOf(*lookAt);
+    std::copy(found.begin(), found.end(), place);
   }
-  const std::array<double, 3> found = frame.PlaceOf(*lookAt);
-  std::copy(found.begin(), found.end(), place);
-  return true;
+  return has;
 }
 
 bool vtkNexradVolumeScene::GetLookAtGeographic(double place[3])
 {
-  std::array<double, 3> found{};
-  if (!this->GetLookAt(found.data()))
+  double found[3];
+  if (!this->GetLookAt(found))
   {
     return false;
   }
-  const SceneFrame frame(this->Volume, 1.0);
-  if (!frame.HasMap())
+  const SceneFrame frame(this->Wanted->volume, 1.0);
+  if (frame.HasMap())
   {
-    return false;
+    const std::array<double, 2> point = frame.FromVolume({found[0], found[1]});
+    const std::array<double, 2> geographic = frame.Geographic(point[0], point[1]);
+    place[0] = geographic[1];
+    place[1] = geographic[0];
+    place[2] = found[2];
   }
-  const std::array<double, 3> point = frame.ToScene(found);
-  const std::array<double, 2> geographic = frame.Geographic(point[0], point[1]);
-  place[0] = geographic[1];
-  place[1] = geographic[0];
-  place[2] = found[2];
-  return true;
+  return frame.HasMap();
 }
 
 bool vtkNexradVolumeScene::FindGround(double pixelX, double pixelY, double point[2])
 {
-  const auto found =
-    this->Drawn->scene ? this->Drawn->scene->GroundAt({pixelX, pixelY}) : std::nullopt;
-  if (found)
+  if (!this->Drawn)
   {
-    std::copy(found->begin(), found->end(), point);
+    return false;
   }
-  return found.has_value();
+  const int* size = this->Renderer->GetSize();
+  const nexrad::scene::ViewRay ray =
+    nexrad::scene::RayThrough(this->Camera, {size[0], size[1]}, {pixelX, pixelY});
+  const SceneFrame& frame = this->Drawn->Frame();
+  const auto distance = nexrad::scene::DistanceToHeight(ray, frame.Bounds()[4]);
+  if (distance)
+  {
+    const std::array<double, 3> place = frame.ToVolume(ray.At(*distance));
+    std::copy_n(place.begin(), 2, point);
+  }
+  return distance.has_value();
 }
 
 bool vtkNexradVolumeScene::FindPixel(double x, double y, double pixel[2])
 {
-  if (this->Drawn->scene)
+  if (this->Drawn)
   {
-    const auto found = this->Drawn->scene->PixelOf({x, y});
+    const int* size = this->Renderer->GetSize();
+    const SceneFrame& frame = this->Drawn->Frame();
+    const auto [sceneX, sceneY] = frame.FromVolume({x, y});
+    const auto found = nexrad::scene::Projection(this->Camera, {size[0], size[1]})(
+      {sceneX, sceneY, frame.Bounds()[4]});
     std::copy(found.begin(), found.end(), pixel);
   }
-  return this->Drawn->scene != nullptr;
+  return this->Drawn != nullptr;
 }
 
 bool vtkNexradVolumeScene::VolumeToScene(const double point[3], double scenePoint[3])
 {
-  if (this->Drawn->scene)
+  if (this->Drawn)
   {
-    const auto place = this->Drawn->scene->Frame().ToScene({point[0], point[1], point[2]});
+    const auto place = this->Drawn->Frame().ToScene({point[0], point[1], point[2]});
     std::copy(place.begin(), place.end(), scenePoint);
   }
-  return this->Drawn->scene != nullptr;
+  return this->Drawn != nullptr;
 }
 
 bool vtkNexradVolumeScene::GetFrameBounds(double bounds[6])
 {
-  if (this->Drawn->scene)
+  if (this->Drawn)
   {
-    const auto framed = this->Drawn->scene->Frame().FramedInVolume();
+    const auto framed = this->Drawn->Frame().FramedInVolume();
     std::copy(framed.begin(), framed.end(), bounds);
   }
-  return this->Drawn->scene != nullptr;
+  return this->Drawn != nullptr;
 }
 
 bool vtkNexradVolumeScene::SceneToVolume(const double scenePoint[3], double point[3])
 {
-  if (this->Drawn->scene)
+  if (this->Drawn)
   {
-    const auto place =
-      this->Drawn->scene->Frame().ToVolume({scenePoint[0], scenePoint[1], scenePoint[2]});
+    const auto place = this->Drawn->Frame().ToVolume({scenePoint[0], scenePoint[1], scenePoint[2]});
     std::copy(place.begin(), place.end(), point);
   }
-  return this->Drawn->scene != nullptr;
+  return this->Drawn != nullptr;
 }
 
 void vtkNexradVolumeScene::SetCameraFromAbove()
@@ -558,30 +443,40 @@ void vtkNexradVolumeScene::SetCameraFromAbove()
 vtkMTimeType vtkNexradVolumeScene::TimeOfSettings()
 {
   auto* colors = this->GetTransferFunction();
-  return std::max({this->GetMTime(), this->Volume->GetMTime(),
+  return std::max({this->GetMTime(), this->Wanted->volume->GetMTime(),
     colors != nullptr ? colors->GetMTime() : vtkMTimeType(0)});
 }
 
 void vtkNexradVolumeScene::Draw()
 {
-  if (this->Volume == nullptr)
+  this->Succeeded = false;
+  if (this->Wanted->volume == nullptr)
   {
-    this->Drawn = std::make_unique<Drawing>();
+    this->Drawn.reset();
+    this->Succeeded = true;
     return;
   }
-  this->FollowSize();
-  this->Drawn->succeeded = false;
-  this->Drawn->tried = this->TimeOfSettings();
-  this->Drawn->Update(this);
-  this->Drawn->succeeded = true;
-  this->Drawn->tried = this->TimeOfSettings(); // of other colours, perhaps
+  this->Tried = this->TimeOfSettings();
+  SceneContents contents = *this->Wanted;
+  contents.options = this->GetOptions();
+  if (this->Drawn && this->Drawn->CanFollow(contents))
+  {
+    this->Drawn->FollowSize();
+    this->Drawn->Follow(contents);
+  }
+  else
+  {
+    this->Drawn = std::make_unique<RadarScene>(contents, this->Renderer, this->Drawn);
+  }
+  this->Succeeded = true;
+  this->Tried = this->TimeOfSettings(); // of other colours, perhaps
 }
 
 bool vtkNexradVolumeScene::Update()
 {
-  if (this->Volume != nullptr && this->TimeOfSettings() == this->Drawn->tried)
+  if (this->Wanted->volume != nullptr && this->TimeOfSettings() == this->Tried)
   {
-    return this->Drawn->succeeded; // an error is reported once
+    return this->Succeeded; // an error is reported once
   }
   try
   {
@@ -591,7 +486,7 @@ bool vtkNexradVolumeScene::Update()
   {
     vtkErrorMacro(<< error.what());
   }
-  return this->Drawn->succeeded;
+  return this->Succeeded;
 }
 
 void vtkNexradVolumeScene::FollowRendering()
@@ -603,11 +498,11 @@ void vtkNexradVolumeScene::FollowRendering()
   const vtkMTimeType before = this->Camera->GetMTime();
   const double angle = drawn->GetViewAngle() / this->Camera->GetViewAngle();
   const double scale = drawn->GetParallelScale() / this->Camera->GetParallelScale();
-  this->FollowSize();
   this->Update();
-  if (this->Drawn->scene)
+  if (this->Drawn)
   {
-    this->Drawn->scene->BeginFrame(); // a scene that is made now does not hear of this frame
+    this->Drawn->FollowSize();
+    this->Drawn->BeginFrame();
   }
   if (drawn != this->Camera && this->Camera->GetMTime() != before)
   {
@@ -618,46 +513,16 @@ void vtkNexradVolumeScene::FollowRendering()
   this->Renderer->SetActiveCamera(drawn);
 }
 
-void vtkNexradVolumeScene::FollowSize()
-{
-  const int* rendererSize = this->Renderer->GetSize();
-  const std::array<int, 2> size = {rendererSize[0], rendererSize[1]};
-  const bool resized = size != this->Drawn->size && size[0] > 0 && size[1] > 0;
-  if (resized)
-  {
-    this->Drawn->size = size;
-    if (this->Drawn->scene)
-    {
-      this->Drawn->scene->SetPictureSize(size);
-    }
-  }
-}
-
 void vtkNexradVolumeScene::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Renderer: " << this->Renderer.Get() << "\n";
-  os << indent << "Volume: " << this->Volume.Get() << "\n";
-  os << indent << "Detail: " << this->Detail.Get() << "\n";
+  os << indent << "Volume: " << this->Wanted->volume.Get() << "\n";
+  os << indent << "Detail: " << this->Wanted->detail.Get() << "\n";
   for (const auto& setting : nexrad::scene::DrawingSettings())
   {
     os << indent << setting.key << ": " << this->GetOption(setting.key.c_str()) << "\n";
   }
   os << indent << "MarksBox: " << this->Wanted->mark.has_value() << "\n";
   os << indent << "LooksAtPlace: " << this->Wanted->view.lookAt.has_value() << "\n";
-  os << indent << "Cropping: " << (this->Cropping ? "On" : "Off") << "\n";
-  os << indent << "CropBounds:";
-  for (const double bound : this->CropBounds)
-  {
-    os << " " << bound;
-  }
-  os << "\n";
-  os << indent << "Clipping: " << (this->Clipping ? "On" : "Off") << "\n";
-  os << indent << "ClipOrigin: " << this->ClipOrigin[0] << " " << this->ClipOrigin[1] << " "
-     << this->ClipOrigin[2] << "\n";
-  os << indent << "ClipNormal: " << this->ClipNormal[0] << " " << this->ClipNormal[1] << " "
-     << this->ClipNormal[2] << "\n";
-  os << indent << "Section: " << (this->Section ? "On" : "Off") << "\n";
-  os << indent << "SectionA: " << this->SectionA[0] << " " << this->SectionA[1] << "\n";
-  os << indent << "SectionB: " << this->SectionB[0] << " " << this->SectionB[1] << "\n";
 }

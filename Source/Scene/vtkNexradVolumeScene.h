@@ -49,10 +49,12 @@ namespace nexrad
 {
 namespace scene // as VTK's wrapper reads it
 {
+class RadarScene;
 class SceneFrame;
 struct CameraView;
 struct DrawingOptions;
 struct EchoExtent;
+struct SceneContents;
 struct SceneOptions;
 } // namespace scene
 } // namespace nexrad
@@ -349,17 +351,14 @@ private:
   void ObserveRenderer();
   void ForgetRenderer();
   void FollowRendering(); // before each picture
-  void FollowSize();
 
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkCamera> Camera; // that of the renderer
   unsigned long RendererTag = 0;
-  vtkSmartPointer<vtkImageData> Volume;
-  vtkSmartPointer<vtkImageData> Detail;
-  struct Settings;
-  std::unique_ptr<Settings> Wanted;
-  struct Drawing;
-  std::unique_ptr<Drawing> Drawn;
+  std::unique_ptr<nexrad::scene::SceneContents> Wanted; // but what is cut away
+  std::unique_ptr<nexrad::scene::RadarScene> Drawn;     // null before the first picture
+  vtkMTimeType Tried = 0; // time of the settings that the last update was for
+  bool Succeeded = true;
 };
 
 #endif

@@ -5,9 +5,11 @@
 #include "Scene/Map/GroundShadow.h"
 #include "Scene/Map/MapData.h"
 #include "Scene/Map/MapLayer.h"
+#include "Scene/Map/PlacedMap.h"
 #include "Tolerance.h"
 
 #include "nexrad/Compression/Deflate.h"
+#include "nexrad/Model/SiteTable.h"
 #include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
@@ -37,13 +39,13 @@ namespace
 
 const Theme& theme = ThemeOf(ThemeChoice::Light);
 
-// A domain of 400 km about a place.
-SceneFrame FrameAt(double longitude, double latitude)
+// A domain of 40 columns about a place.
+SceneFrame FrameAt(double longitude, double latitude, double spacing = 10'000.0)
 {
   vtkNew<vtkImageData> volume;
   volume->SetDimensions(40, 40, 2);
-  volume->SetSpacing(10'000.0, 10'000.0, 10'000.0);
-  volume->SetOrigin(-195'000.0, -195'000.0, 5'000.0);
+  volume->SetSpacing(spacing, spacing, 10'000.0);
+  volume->SetOrigin(-19.5 * spacing, -19.5 * spacing, 5'000.0);
   vtkNew<vtkStringArray> projection;
   projection->SetName("Projection");
   projection->InsertNextValue("+proj=aeqd +lat_0=" + std::to_string(latitude) +
@@ -310,4 +312,48 @@ TEST(Towns, StandApart)
       EXPECT_GT(std::hypot(shown[i][0] - shown[k][0], shown[i][1] - shown[k][1]), 60.0);
     }
   }
+}
+
+// Of many radars those that are named when the picture has room for a name each so many kilometres
+// are farther apart than that; the one in the middle always is.
+TEST(MapLayer, NamesOfManyRadarsThinOut)
+{
+  const SceneFrame frame = FrameAt(-97.0, 38.0, 100'000.0);
+  std::vector<std::string> many;
+  for (const KnownSite& site : KnownSites())
+  {
+    const auto place = frame.Place(site.position.longitude, site.position.latitude);
+    if (IsWithin(place, Rectangle(frame)))
+    {
+      many.push_back(site.name);
+    }
+  }
+  ASSERT_GT(many.size(), 16U);
+  const std::vector<std::string> few(many.begin(), many.begin() + 16);
+  const auto namesOf = [&](const std::vector<std::string>& sites)
+  {
+    std::vector<Label> names = MakeMapLayer(frame, {sites, 0.0, false}, 16, theme).labels;
+    names.erase(
+      std::remove_if(names.begin(), names.end(), [](const Label& label) { return label.optional; }),
+      names.end());
+    return names;
+  };
+  for (const Label& label : namesOf(few))
+  {
+    EXPECT_EQ(label.spread, 0.0) << label.text << " is always named";
+  }
+  const std::vector<Label> labels = namesOf(many);
+  ASSERT_EQ(labels.size(), many.size());
+  std::size_t always = 0;
+  for (const Label& a : labels)
+  {
+    EXPECT_GT(a.spread, 0.0);
+    always += a.spread >= 1e6 ? 1 : 0;
+    for (const Label& b : labels)
+    {
+      const double apart = std::hypot(a.point[0] - b.point[0], a.point[1] - b.point[1]);
+      EXPECT_TRUE(&a == &b || apart >= std::min(a.spread, b.spread) - 1e-9) << a.text << b.text;
+    }
+  }
+  EXPECT_EQ(always, 1U);
 }

@@ -99,6 +99,8 @@ struct Label
   bool optional = false;        ///< left out where it would lie over other letters
   double room = 0.0;            ///< pixels, distance of an optional label from others that have one
   double dot = 0.0;             ///< pixels, radius of a dot at the point; 0: none
+  double spread = 0.0; ///< scene units; left out where the picture shows this length too short for
+                       ///< letters; 0: never
 };
 
 /// A part of a scene, and the words that belong to it.
