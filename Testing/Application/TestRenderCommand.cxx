@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Drawing/PictureWindow.h"
+#include "ErrorMessage.h"
 #include "HandMadeVolume.h"
+#include "Libraries/VtkErrors.h"
 #include "NoDisplay.h"
 #include "ProgramRun.h"
 #include "StormVolume.h"
 #include "TestData.h"
 #include "Tolerance.h"
 #include "nexrad/Codec/NxvFile.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
 
 #include <gtest/gtest.h>
 
@@ -447,27 +455,72 @@ TEST(RenderCommand, ColoursFromAnotherArray)
     2);
 }
 
-// Wider than the texture of any OpenGL. An empty sky would look like no echo.
-TEST(RenderCommand, AVolumeThatCannotBeDrawnIsAFailure)
+namespace
 {
-  const TemporaryFolder folder;
+
+// A volume that is wider than the texture of any OpenGL, with the same echo everywhere.
+fs::path WriteWideVolume(const fs::path& folder)
+{
   GriddedVolume wide = MakeStorm(true);
-  wide.grid.dimensions = {40'000, 2, 2};
+  wide.grid.dimensions = {40'000, 3, 3};
   wide.grid.spacing = {12.0, 100'000.0, 10'000.0};
   wide.values.assign(wide.grid.VoxelCount(), 40.0F);
   wide.states.assign(wide.grid.VoxelCount(), VoxelState::Echo);
-  const fs::path volume = folder.Path() / "wide.nxv";
-  WriteNxv(volume, wide);
-  for (const char* name : {"wide.png", "wide.ogv"})
+  WriteNxv(folder / "wide.nxv", wide);
+  return folder / "wide.nxv";
+}
+
+} // namespace
+
+// An empty sky would look like no echo.
+TEST(RenderCommand, OfAWideVolumeSomeVoxelsAreDrawnAndALineSaysSo)
+{
+  const TemporaryFolder folder;
+  const fs::path volume = WriteWideVolume(folder.Path());
+  const std::vector<std::vector<std::string>> modes = {{"volume.png"},
+    {"surface.png", "--iso-values", "30"}, {"rays.png", "--mapper", "ray-cast"},
+    {"movie.ogv", "--frames", "3"}};
+  for (std::vector<std::string> mode : modes)
   {
-    const fs::path picture = folder.Path() / name;
-    const ProgramRun run = RunNexrad3d({"render", volume, "-o", picture, "--size", small});
-    EXPECT_EQ(run.status, 1);
-    EXPECT_EQ(run.errors.find("nexrad3d render: " + picture.string() + ": cannot be drawn: "), 0U)
-      << run.errors;
-    EXPECT_NE(run.errors.find("40000 x 2 x 2 voxels"), std::string::npos) << run.errors;
+    mode.front() = folder.Path() / mode.front();
+    mode.insert(mode.begin(), {"render", volume, "--size", small, "-o"});
+    const ProgramRun run = RunNexrad3d(mode);
+    EXPECT_EQ(run.status, 0) << run.errors;
+    EXPECT_NE(run.errors.find("the volume has 40000x3x3: every "), std::string::npos) << run.errors;
     EXPECT_NE(run.errors.find("--dims"), std::string::npos) << run.errors;
-    EXPECT_EQ(run.errors.find('\n'), run.errors.size() - 1) << run.errors;
+    EXPECT_EQ(run.errors.find('\n'), run.errors.size() - 1) << "one line: " << run.errors;
   }
-  EXPECT_EQ(NamesIn(folder.Path()), std::set<std::string>{"wide.nxv"});
+}
+
+// What needs no texture of the volume has all of it.
+TEST(RenderCommand, MapsAndModelsOfAWideVolumeAreWhole)
+{
+  const TemporaryFolder folder;
+  const fs::path volume = WriteWideVolume(folder.Path());
+  const std::vector<std::vector<std::string>> modes = {{"map.png", "--map", "composite"},
+    {"map.tif", "--map", "composite"}, {"model.glb", "--iso-values", "30"}};
+  for (std::vector<std::string> mode : modes)
+  {
+    mode.front() = folder.Path() / mode.front();
+    mode.insert(mode.begin(), {"render", volume, "--size", small, "-o"});
+    const ProgramRun run = RunNexrad3d(mode);
+    EXPECT_EQ(run.status, 0) << run.errors;
+    EXPECT_EQ(run.errors, "");
+  }
+}
+
+// Whatever VTK or OpenGL complains of while a picture is drawn.
+TEST(PictureWindow, AnErrorWhileAPictureIsDrawnIsAFailure)
+{
+  application::TakeVtkErrors();
+  vtkNew<vtkRenderer> renderer;
+  scene::PictureWindow window(renderer, {64, 48});
+  EXPECT_NE(window.Draw(), nullptr);
+  vtkNew<vtkCallbackCommand> complain;
+  complain->SetCallback([](vtkObject* drawn, unsigned long, void*, void*)
+    { vtkErrorWithObjectMacro(drawn, << "the texture has no room"); });
+  const unsigned long tag = renderer->AddObserver(vtkCommand::EndEvent, complain);
+  EXPECT_EQ(MessageOf([&window] { window.Draw(); }), std::string("the texture has no room"));
+  renderer->RemoveObserver(tag);
+  EXPECT_NE(window.Draw(), nullptr);
 }

@@ -4,6 +4,7 @@
 #include "ScenePicture.h"
 #include "StormVolume.h"
 #include "Tolerance.h"
+#include "vtkNexradImageConversion.h"
 #include "vtkNexradMessages.h"
 #include "vtkNexradTransferFunction.h"
 
@@ -50,7 +51,66 @@ Picture DrawStorm(const Settings& set)
 
 void SetNothing(vtkNexradVolumeScene*) {}
 
+// The storm in so many columns along x, in a domain that stays the same.
+vtkSmartPointer<vtkImageData> MakeStormOf(int columns)
+{
+  nexrad::GriddedVolume volume = MakeStorm(true);
+  const double width = volume.grid.dimensions[0] * volume.grid.spacing[0];
+  volume.grid.origin[0] -= 0.5 * volume.grid.spacing[0];
+  volume.grid.dimensions = {columns, 24, 8};
+  volume.grid.spacing = {
+    width / columns, 2.0 * volume.grid.spacing[1], 2.0 * volume.grid.spacing[2]};
+  volume.grid.origin[0] += 0.5 * volume.grid.spacing[0];
+  volume.values.assign(volume.grid.VoxelCount(), volume.fill);
+  volume.states.assign(volume.values.size(), nexrad::VoxelState::NoEcho);
+  for (std::size_t i = 0; i < volume.values.size(); ++i)
+  {
+    const auto place = [&](std::size_t axis, std::size_t index)
+    {
+      return (volume.grid.origin[axis] + volume.grid.spacing[axis] * static_cast<double>(index)) /
+             1000.0;
+    };
+    const auto wide = static_cast<std::size_t>(columns);
+    const double value =
+      Storm(place(0, i % wide), place(1, i / wide % 24), place(2, i / wide / 24));
+    if (value > 0.0)
+    {
+      volume.values[i] = static_cast<float>(value);
+      volume.states[i] = nexrad::VoxelState::Echo;
+    }
+  }
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  vtkNexradVolumeToImage(volume, image);
+  return image;
+}
+
 } // namespace
+
+// OpenGL takes no texture of 40 000 columns: some of them are drawn, which look the same, and a
+// caption and one warning say so, also when the volume is shown again.
+TEST(VolumeScene, AVolumeThatIsWiderThanATextureIsDrawnThinnedOut)
+{
+  const auto draw = [](int columns, std::size_t warnings)
+  {
+    vtkNew<vtkNexradVolumeScene> scene;
+    vtkNexradMessages messages;
+    messages.Watch(scene->GetRenderer());
+    UseClassicLook(scene);
+    scene->SetVolume(MakeStormOf(columns));
+    OffScreenWindow window(scene->GetRenderer(), smallSize);
+    window.Draw();
+    scene->SetVolume(MakeStormOf(columns));
+    const Picture picture = window.Draw();
+    EXPECT_TRUE(messages.Errors().empty());
+    EXPECT_EQ(messages.Warnings().size(), warnings) << columns;
+    return picture;
+  };
+  const Picture fine = draw(2000, 0);
+  EXPECT_AT_MOST(MeanDifference(fine, draw(40'000, 1)), 0.9,
+    "wide volume: difference to one that OpenGL takes, of 255");
+  EXPECT_AT_LEAST(MeanDifference(fine, Draw(vtkNew<vtkNexradVolumeScene>())), 10.0,
+    "storm: difference to an empty picture, of 255");
+}
 
 // The picture: the lit storm, green with a red core, and its shadow on a pale map with rings about
 // two radars, with the colour bar at the right and SYNTHETIC above.

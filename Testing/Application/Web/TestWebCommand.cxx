@@ -334,3 +334,20 @@ TEST(WebCommand, AMessageIsShortAndNamesTheFileAndItsIndex)
     EXPECT_LT(line.size(), file.string().size() + 350U) << key;
   }
 }
+
+TEST(WebCommand, AVolumeThatIsTooWideForBrowsersIsRefused)
+{
+  const TemporaryFolder folder;
+  GriddedVolume wide = MakeStorm(true);
+  wide.grid.dimensions = {2049, 2, 2};
+  wide.values.assign(wide.grid.VoxelCount(), 40.0F);
+  wide.states.assign(wide.grid.VoxelCount(), VoxelState::Echo);
+  WriteNxv(folder.Path() / "wide.nxv", wide);
+  const ProgramRun run =
+    RunNexrad3d({"web", folder.Path() / "wide.nxv", "-o", folder.Path() / "page.html"});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_NE(run.errors.find("2049x2x2 voxels has more than the 2048"), std::string::npos)
+    << run.errors;
+  EXPECT_EQ(run.errors.find('\n'), run.errors.size() - 1) << run.errors;
+  EXPECT_FALSE(fs::exists(folder.Path() / "page.html"));
+}
