@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Level2/Level2File.h"
 #include "nexrad/Model/SiteTable.h"
 
 #include "ProgramRun.h"
@@ -12,6 +13,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 // What `info --json` says of every real file that independent decoders have read, beside what they
@@ -26,6 +28,55 @@ namespace
 {
 
 constexpr double fiveDecimals = 0.6e-5; // what rounding to five decimals leaves open
+
+template <typename Function>
+void EachSample(const Json& oracle, Function function)
+{
+  for (const Json& sweep : oracle["sweeps"])
+  {
+    for (const auto& [name, moment] : sweep["moments"].items())
+    {
+      for (const Json& sample : moment.value("samples_ray_gate_raw_value", Json::array()))
+      {
+        function(sample, name, sweep);
+      }
+    }
+  }
+}
+
+// Sweep and ray of our numbering for a ray of the decoders' sweep.
+std::pair<std::size_t, std::size_t> PlaceOf(
+  const RadarVolume& volume, int elevationNumber, std::size_t ray)
+{
+  for (std::size_t index = 0; index < volume.sweeps.size(); ++index)
+  {
+    if (volume.sweeps[index].elevationNumber == elevationNumber)
+    {
+      const std::size_t rays = volume.sweeps[index].rays.size();
+      if (ray < rays)
+      {
+        return {index, ray};
+      }
+      ray -= rays;
+    }
+  }
+  return {99999, 0};
+}
+
+// The samples, as arguments of the program; each stands for one answer in "gates".
+std::vector<std::string> GateArguments(const Json& oracle, const RadarVolume& volume)
+{
+  std::vector<std::string> arguments;
+  EachSample(oracle,
+    [&](const Json& sample, const std::string&, const Json& sweep)
+    {
+      const auto [index, ray] = PlaceOf(volume, sweep["elevation_number"], sample[0]);
+      arguments.push_back("--gate");
+      arguments.push_back(
+        std::to_string(index) + ',' + std::to_string(ray) + ',' + sample[1].dump());
+    });
+  return arguments;
+}
 
 // Counts what it compares, so that a comparison of nothing shows.
 class Comparison
@@ -51,22 +102,6 @@ public:
     this->CompareGates();
   }
 
-  // The samples, as arguments of the program; each stands for one answer in "gates".
-  std::vector<std::string> GateArguments()
-  {
-    std::vector<std::string> arguments;
-    this->EachSample(
-      [&](const Json& sample, const std::string&, const Json& sweep)
-      {
-        const auto place = this->PlaceOf(sweep["elevation_number"], sample[0]);
-        arguments.push_back("--gate");
-        arguments.push_back(std::to_string(place.first) + ',' + std::to_string(place.second) + ',' +
-                            sample[1].dump());
-      });
-    return arguments;
-  }
-
-  void SetInfo(Json found) { info = std::move(found); }
   int Compared() const { return compared; }
 
 private:
@@ -113,21 +148,6 @@ private:
       }
     }
     return sweeps;
-  }
-
-  // Sweep and ray of our numbering for a ray of the decoders' sweep.
-  std::pair<std::size_t, std::size_t> PlaceOf(int elevationNumber, std::size_t ray)
-  {
-    for (const Json& sweep : this->SweepsOf(elevationNumber))
-    {
-      const std::size_t rays = sweep["rays"];
-      if (ray < rays)
-      {
-        return {sweep["index"].get<std::size_t>(), ray};
-      }
-      ray -= rays;
-    }
-    return {99999, 0};
   }
 
   void CompareSweep(const Json& oracle)
@@ -213,25 +233,10 @@ private:
     }
   }
 
-  template <typename Function>
-  void EachSample(Function function)
-  {
-    for (const Json& sweep : expected["sweeps"])
-    {
-      for (const auto& [name, moment] : sweep["moments"].items())
-      {
-        for (const Json& sample : moment.value("samples_ray_gate_raw_value", Json::array()))
-        {
-          function(sample, name, sweep);
-        }
-      }
-    }
-  }
-
   void CompareGates()
   {
     std::size_t index = 0;
-    this->EachSample(
+    EachSample(expected,
       [&](const Json& sample, const std::string& name, const Json&)
       {
         const Json& gate = info["gates"].at(index++)["moments"].at(name);
@@ -270,8 +275,7 @@ int CompareOracle(const fs::path& data, const fs::path& oracle)
   const Json expected = Json::parse(stream);
   const fs::path file = FindTestFile(data, expected["file"]);
   SCOPED_TRACE(file.string());
-  Comparison comparison(expected, RunInfo(file, {}));
-  comparison.SetInfo(RunInfo(file, comparison.GateArguments()));
+  Comparison comparison(expected, RunInfo(file, GateArguments(expected, ReadLevel2(file))));
   comparison.CompareFile();
   return comparison.Compared();
 }

@@ -5,7 +5,6 @@
 #include "Motion/LeaveOneOut.h"
 #include "TestData.h"
 #include "Tolerance.h"
-#include "nexrad/Geometry/Angles.h"
 #include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/Gridding/BeamMerge.h"
 #include "nexrad/Level2/Level2File.h"
@@ -109,7 +108,10 @@ PolarVolume CountFrom(const PolarVolume& middle, const PolarVolume& volume, Time
     for (PolarRay& ray : sweep.rays)
     {
       const auto apart = [&ray](const PolarRay& each)
-      { return std::abs(AngleDifference(each.azimuth, ray.azimuth)); };
+      {
+        const float degrees = std::abs(each.azimuth - ray.azimuth); // both from 0 to 360
+        return std::min(degrees, 360.0F - degrees);
+      };
       const auto nearest = std::min_element(other->rays.begin(), other->rays.end(),
         [&apart](const PolarRay& a, const PolarRay& b) { return apart(a) < apart(b); });
       ray.time = zero + (ray.time - nearest->time);

@@ -30,4 +30,11 @@ inline TruthfulScan Scan(const SimulatorOptions& options, int pattern = 32, Time
   return scan;
 }
 
+/// The storms alone, scanned once for all tests of a program.
+inline const TruthfulScan& PlainScan()
+{
+  static const TruthfulScan scan = Scan({});
+  return scan;
+}
+
 } // namespace nexrad::testing

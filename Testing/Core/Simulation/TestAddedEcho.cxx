@@ -126,7 +126,7 @@ double Texture(const TruthfulScan& scan, EchoKind kind)
 
 TEST(AddedEcho, NoneOfItIsThereByDefault)
 {
-  const TruthfulScan plain = Scan({});
+  const TruthfulScan& plain = PlainScan();
   const std::map<EchoKind, std::size_t> counts = CountKinds(plain);
   for (const auto& [kind, count] : counts)
   {
@@ -140,7 +140,7 @@ TEST(AddedEcho, NoneOfItIsThereByDefault)
 
 TEST(AddedEcho, EachKindComesAloneAndLeavesTheRestAsItIs)
 {
-  const TruthfulScan plain = Scan({});
+  const TruthfulScan& plain = PlainScan();
   for (const EchoKind kind : AddableEchoKinds())
   {
     const TruthfulScan& scan = ScanWith(kind);
@@ -398,7 +398,7 @@ TEST(AddedEcho, ABiasLiftsEveryValue)
 {
   SimulatorOptions options;
   options.bias = 2.0;
-  const TruthfulScan plain = Scan({});
+  const TruthfulScan& plain = PlainScan();
   const TruthfulScan biased = Scan(options);
   std::size_t count = 0;
   VisitReflectivity(biased,

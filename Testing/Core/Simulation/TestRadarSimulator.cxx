@@ -20,13 +20,6 @@ using namespace nexrad::testing;
 namespace
 {
 
-// One scan for all tests: pattern 32 has the fewest cuts.
-const RadarVolume& Scanned()
-{
-  static const RadarVolume volume = ScanVolume(StormField(), TestSite(), 32, start);
-  return volume;
-}
-
 bool SameWords(const RadarVolume& first, const RadarVolume& second)
 {
   return first.buffers.size() == second.buffers.size() &&
@@ -45,13 +38,14 @@ TEST(RadarSimulator, IsDeterministic)
 {
   SimulatorOptions otherSeed;
   otherSeed.seed = 2;
-  EXPECT_TRUE(SameWords(Scanned(), ScanVolume(StormField(), TestSite(), 32, start)));
-  EXPECT_FALSE(SameWords(Scanned(), ScanVolume(StormField(), TestSite(), 32, start, otherSeed)));
+  EXPECT_TRUE(SameWords(PlainScan().volume, ScanVolume(StormField(), TestSite(), 32, start)));
+  EXPECT_FALSE(
+    SameWords(PlainScan().volume, ScanVolume(StormField(), TestSite(), 32, start, otherSeed)));
 }
 
 TEST(RadarSimulator, MarksTheVolumeAndItsRays)
 {
-  const RadarVolume& volume = Scanned();
+  const RadarVolume& volume = PlainScan().volume;
   EXPECT_TRUE(volume.synthetic);
   EXPECT_TRUE(volume.complete);
   EXPECT_EQ(volume.coveragePatternNumber, 32);
@@ -78,7 +72,7 @@ TEST(RadarSimulator, MarksTheVolumeAndItsRays)
 
 TEST(RadarSimulator, SplitCutsShareTheMomentsAsMessage1Does)
 {
-  const RadarVolume& volume = Scanned();
+  const RadarVolume& volume = PlainScan().volume;
   EXPECT_TRUE(volume.sweeps[0].Has(MomentName::REF));
   EXPECT_FALSE(volume.sweeps[0].Has(MomentName::VEL));
   EXPECT_FALSE(volume.sweeps[1].Has(MomentName::REF));
@@ -92,7 +86,7 @@ TEST(RadarSimulator, SplitCutsShareTheMomentsAsMessage1Does)
 TEST(RadarSimulator, GatesAreTheFieldWithNoise)
 {
   const StormField field;
-  const RadarVolume& volume = Scanned();
+  const RadarVolume& volume = PlainScan().volume;
   const std::vector<ScanCut>& cuts = *FindScanStrategy(32);
   double sum = 0.0;
   double squares = 0.0;
@@ -137,7 +131,7 @@ TEST(RadarSimulator, NothingIsWeakerThanTheSensitivity)
   EXPECT_NEAR(SensitivityAt(50'000.0, {}), -7.5, 1e-9);
   EXPECT_NEAR(SensitivityAt(100'000.0, {}), -7.5 + 6.02, 0.01);
   std::size_t valid = 0;
-  for (const Ray& ray : Scanned().sweeps[0].rays)
+  for (const Ray& ray : PlainScan().volume.sweeps[0].rays)
   {
     const MomentRow& row = ray.Row(MomentName::REF);
     for (std::size_t gate = 1; gate < row.gates; ++gate)
@@ -194,7 +188,7 @@ TEST(RadarSimulator, VelocitiesAtTheEdgesOfEchoAreRight)
   BeamSampler beam(*TestSite().position, cut.cut.elevation, 461'000.0, {});
   std::vector<double> reflectivity;
   std::size_t edges = 0;
-  for (const Ray& ray : Scanned().sweeps[1].rays)
+  for (const Ray& ray : PlainScan().volume.sweeps[1].rays)
   {
     const MomentRow& row = ray.Row(MomentName::VEL);
     const StormSnapshot snapshot = field.At(ray.time);
@@ -226,7 +220,7 @@ TEST(RadarSimulator, VelocitiesAtTheEdgesOfEchoAreRight)
 TEST(RadarSimulator, EchoesOfTwoPulsesAreRangeFolded)
 {
   std::size_t folded = 0;
-  for (const Ray& ray : Scanned().sweeps[1].rays)
+  for (const Ray& ray : PlainScan().volume.sweeps[1].rays)
   {
     const MomentRow& velocity = ray.Row(MomentName::VEL);
     const MomentRow& width = ray.Row(MomentName::SW);
