@@ -29,13 +29,12 @@ public:
   {
   }
 
+  Value* Column(int column) { return values.data() + stride * static_cast<std::size_t>(column); }
+
   void Set(int column, const std::vector<Value>& from)
   {
-    std::copy(
-      from.begin(), from.end(), values.begin() + static_cast<std::ptrdiff_t>(stride) * column);
+    std::copy(from.begin(), from.end(), this->Column(column));
   }
-
-  void SetAll(Value value) { std::fill(values.begin(), values.end(), value); }
 
   // Writes a level of the first `count` columns to where the first of them stands.
   void Write(std::size_t level, int count, Value* to) const
@@ -102,16 +101,15 @@ public:
     {
       this->Sample(i, x, y, count);
     }
-    if (present.empty())
+    if (!ancillary && !options.fillColumns && this->IsQuiet())
     {
-      this->KeepNothing();
+      this->WriteQuiet(x, y, count);
+      return;
     }
-    else
+    echoEnd = 0;
+    for (int i = 0; i < count; ++i)
     {
-      for (int i = 0; i < count; ++i)
-      {
-        this->MergeColumn(x + i, y, i);
-      }
+      this->MergeColumn(x + i, y, i);
     }
     this->Write(x, y, count);
   }
@@ -123,6 +121,8 @@ private:
   {
     std::uint8_t top = 0;
     bool layers = false;
+    bool quiet = false; // SiteColumn
+    LevelRange levels;  // that it scanned, where it is quiet
     ColumnMotion motion;
   };
 
@@ -164,11 +164,23 @@ private:
     for (std::size_t tilt = 0; tilt < tilts; ++tilt)
     {
       TiltSample* to = samples[number].data() + tilt;
+      const bool outermost = tilt == 0 || tilt + 1 == tilts;
       for (int i = begin; i < end; ++i)
       {
-        to[static_cast<std::size_t>(i) * tilts] =
-          this->SampleColumn(site, tilt, directions[i], about[static_cast<std::size_t>(i)]);
+        const Surroundings& own = about[static_cast<std::size_t>(i)];
+        if (outermost || !own.quiet)
+        {
+          to[static_cast<std::size_t>(i) * tilts] =
+            this->SampleColumn(site, tilt, directions[i], own);
+        }
       }
+    }
+    for (int i = begin; i < end; ++i)
+    {
+      Surroundings& own = surroundings[number][static_cast<std::size_t>(i)];
+      own.levels = own.quiet && directions[i].halfTangent <= site.reach
+                     ? column.LevelsOf(this->SeenBy(number, directions[i], i))
+                     : LevelRange();
     }
   }
 
@@ -186,22 +198,51 @@ private:
       {
         about.motion = MotionSeenBy(site, directions[i], options.motion->At(x + i, y));
       }
+      const auto isQuiet = [&](const QuietTilt& tilt)
+      { return about.top < tilt.elevation && IsQuietAbout(tilt, directions[i], site.context); };
+      about.quiet =
+        site.counts && !about.layers && std::all_of(site.quiet.begin(), site.quiet.end(), isQuiet);
     }
+  }
+
+  // Whether no radar has anything over any column of the strip.
+  bool IsQuiet() const
+  {
+    return std::all_of(present.begin(), present.end(),
+      [this](const Present& each)
+      {
+        const auto about = surroundings[each.site].begin();
+        return std::all_of(about + each.begin, about + each.end,
+          [](const Surroundings& column) { return column.quiet; });
+      });
   }
 
   TiltSample SampleColumn(const MergeSite& site, std::size_t tilt, const ColumnDirection& direction,
     const Surroundings& about) const
   {
     const QuietTilt& quiet = site.quiet[tilt];
-    const ColumnMotion* motion =
-      about.top > 0 && options.motion != nullptr ? &about.motion : nullptr;
-    if (about.top >= quiet.elevation)
+    const bool nothing = about.top < quiet.elevation;
+    if (nothing && IsQuietAbout(quiet, direction, site.context))
     {
-      return SampleTilt(site.tilts, tilt, direction, site.context, motion);
+      return SampleQuiet(quiet, direction);
     }
-    const std::optional<TiltSample> known = SampleQuiet(quiet, direction, site.context);
     // What lower tilts hold may still come to a look alone, which moves at its height.
-    return known ? *known : SampleTilt(site.tilts, tilt, direction, site.context, motion, true);
+    const bool moves = about.top > 0 && options.motion != nullptr;
+    return SampleTilt(
+      site.tilts, tilt, direction, site.context, moves ? &about.motion : nullptr, nothing);
+  }
+
+  SiteColumn SeenBy(std::size_t number, const ColumnDirection& direction, int place) const
+  {
+    const MergeSite& site = sites[number];
+    SiteColumn seen;
+    seen.site = site.number;
+    seen.halfTangent = direction.halfTangent;
+    seen.levels = &site.levels;
+    seen.edges = &site.edges;
+    seen.samples = samples[number].data() + static_cast<std::size_t>(place) * site.tilts.size();
+    seen.quiet = surroundings[number][static_cast<std::size_t>(place)].quiet;
+    return seen;
   }
 
   void MergeColumn(int x, int y, int place)
@@ -224,22 +265,14 @@ private:
     std::sort(order.begin(), order.end());
     for (const auto& [halfTangent, number] : order)
     {
-      const MergeSite& site = sites[number];
-      SiteColumn seen;
-      seen.site = site.number;
-      seen.halfTangent = halfTangent;
-      seen.weight = this->WeightAt(site, halfTangent);
-      seen.levels = &site.levels;
-      seen.edges = &site.edges;
-      seen.samples = samples[number].data() + static_cast<std::size_t>(place) * site.tilts.size();
+      const SiteGeometry& geometry = *sites[number].geometry;
+      SiteColumn seen = this->SeenBy(number, geometry.Row(y)[x - geometry.BeginX()], place);
+      seen.weight = this->WeightAt(sites[number], halfTangent);
       seen.layers = this->FindLayers(number, x, y, place) ? layers.data() : nullptr;
       column.Add(seen);
     }
-    column.Finish(volume.fill);
-    if (options.fillColumns)
-    {
-      column.FillColumn();
-    }
+    echoEnd = std::max(echoEnd,
+      column.Finish(volume.fill, options.fillColumns, values.Column(place), states.Column(place)));
     this->Keep(place);
   }
 
@@ -270,8 +303,6 @@ private:
 
   void Keep(int place)
   {
-    values.Set(place, column.Values());
-    states.Set(place, column.States());
     if (ancillary)
     {
       ages.Set(place, column.Ages());
@@ -281,28 +312,58 @@ private:
     }
   }
 
-  // A strip that no radar sees.
-  void KeepNothing()
+  // The place of a strip's first column in the lowest level of the block.
+  std::size_t PlaceOf(int x, int y) const
   {
-    values.SetAll(volume.fill);
-    states.SetAll(VoxelState::NotScanned);
-    ages.SetAll(0.0F);
-    weights.SetAll(0.0F);
-    radars.SetAll(0);
-    nearestSites.SetAll(BeamColumn::NoSite);
+    const VoxelBlock& block = options.block;
+    return static_cast<std::size_t>(y - block.begin[1]) * static_cast<std::size_t>(block.Size(0)) +
+           static_cast<std::size_t>(x - block.begin[0]);
+  }
+
+  std::size_t PlaneSize() const
+  {
+    return static_cast<std::size_t>(options.block.Size(0)) *
+           static_cast<std::size_t>(options.block.Size(1));
+  }
+
+  // Writes a strip in which no radar has anything: no echo where one scanned.
+  void WriteQuiet(int x, int y, int count)
+  {
+    std::size_t at = this->PlaceOf(x, y);
+    for (int level = options.block.begin[2]; level < options.block.end[2]; ++level)
+    {
+      std::array<std::uint8_t, stripWidth> scanned{};
+      for (const Present& each : present)
+      {
+        const Surroundings* about = surroundings[each.site].data();
+        for (int i = each.begin; i < each.end; ++i)
+        {
+          const LevelRange& own = about[i].levels;
+          scanned[static_cast<std::size_t>(i)] |=
+            static_cast<std::uint8_t>(level >= own.from && level < own.to ? 1 : 0);
+        }
+      }
+      std::fill_n(volume.values.data() + at, count, volume.fill);
+      std::transform(scanned.begin(), scanned.begin() + count, volume.states.data() + at,
+        [](std::uint8_t seen) { return seen != 0 ? VoxelState::NoEcho : VoxelState::NotScanned; });
+      at += this->PlaneSize();
+    }
   }
 
   void Write(int x, int y, int count) const
   {
-    const VoxelBlock& block = options.block;
-    const auto width = static_cast<std::size_t>(block.Size(0));
-    const auto plane = width * static_cast<std::size_t>(block.Size(1));
-    std::size_t at = static_cast<std::size_t>(y - block.begin[1]) * width +
-                     static_cast<std::size_t>(x - block.begin[0]);
-    for (auto level = static_cast<std::size_t>(block.begin[2]);
-         level < static_cast<std::size_t>(block.end[2]); ++level, at += plane)
+    std::size_t at = this->PlaceOf(x, y);
+    for (auto level = static_cast<std::size_t>(options.block.begin[2]);
+         level < static_cast<std::size_t>(options.block.end[2]); ++level)
     {
-      values.Write(level, count, volume.values.data() + at);
+      if (level < static_cast<std::size_t>(echoEnd))
+      {
+        values.Write(level, count, volume.values.data() + at);
+      }
+      else
+      {
+        std::fill_n(volume.values.data() + at, count, volume.fill);
+      }
       states.Write(level, count, volume.states.data() + at);
       if (ancillary)
       {
@@ -311,6 +372,7 @@ private:
         radars.Write(level, count, volume.ancillary.radars.data() + at);
         nearestSites.Write(level, count, volume.ancillary.nearestSite.data() + at);
       }
+      at += this->PlaneSize();
     }
   }
 
@@ -319,6 +381,7 @@ private:
   GriddedVolume& volume;
   const std::size_t levels;
   const bool ancillary;
+  int echoEnd = 0; // first level above all echo of the strip
   BeamColumn column;
   Strip<float> values;
   Strip<VoxelState> states;

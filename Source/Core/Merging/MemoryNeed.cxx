@@ -7,6 +7,7 @@
 #include "nexrad/Grid/SiteGeometry.h"
 #include "nexrad/Gridding/BeamMerge.h"
 #include "nexrad/Merging/VolumeLoader.h"
+#include "nexrad/Model/SiteTable.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/MachineMemory.h"
 #include "nexrad/Thesis/ThesisMerge.h"
@@ -45,6 +46,14 @@ std::size_t RayBytes(const MergeOptions& options, const InputSizes& inputs, unsi
   const std::size_t held = std::min(inputs.files, volumesOfARadar * inputs.radars + ahead);
   const std::size_t decoding = std::min<std::size_t>(inputs.files, threads);
   return file * (decoding * decodedBytes + held * readyBytes * options.Moments().size());
+}
+
+// The use of merges of which there may be one alone: then no volume of another time is there.
+VolumeUse UseOf(const MergeOptions& options, const InputSizes& inputs, const VolumeUse& use)
+{
+  const bool oneTime = options.time || (options.begin && options.begin == options.end) ||
+                       (inputs.files == 1 && !options.step && !options.begin && !options.end);
+  return {oneTime ? 0 : use.others, use.bytesAVoxel};
 }
 
 std::size_t VoxelBytes(
@@ -91,9 +100,7 @@ std::array<int, 3> DimensionsWithin(
   return fitting;
 }
 
-// `most`: the need where the radars see as much of the grid as they can.
-[[noreturn]] void Refuse(
-  const MergeOptions& options, const MemoryNeed& need, const MemoryNeed& most, const VolumeUse& use)
+[[noreturn]] void Refuse(const MergeOptions& options, const MemoryNeed& need, const VolumeUse& use)
 {
   const MemoryLimit& limit = options.memoryLimit;
   const std::size_t further = options.furtherMoments.size();
@@ -104,7 +111,7 @@ std::array<int, 3> DimensionsWithin(
                                            : limit.option + " allows " + MemoryText(limit.bytes));
   const std::size_t fixed = need.rays + need.program;
   const std::array<int, 3> fitting =
-    limit.bytes > fixed ? DimensionsWithin(options, use, static_cast<double>(most.geometry),
+    limit.bytes > fixed ? DimensionsWithin(options, use, static_cast<double>(need.geometry),
                             static_cast<double>(limit.bytes - fixed))
                         : std::array<int, 3>{0, 0, 0};
   if (fitting[0] > 0)
@@ -117,19 +124,20 @@ std::array<int, 3> DimensionsWithin(
   }
   if (!limit.option.empty())
   {
-    const std::size_t enough = (most.Total() / mebibyte + 1);
+    const std::size_t enough = need.Total() / mebibyte + 1;
     text += (fitting[0] > 0 ? ", and so does " : "; what fits is ") + limit.option + " " +
             std::to_string(enough) + "MiB";
   }
   throw Error(text);
 }
 
+// Refuses what needs more than the limit even at the `least`.
 const MemoryNeed& Require(
-  const MergeOptions& options, const MemoryNeed& need, const MemoryNeed& most, const VolumeUse& use)
+  const MergeOptions& options, const MemoryNeed& need, std::size_t least, const VolumeUse& use)
 {
-  if (options.memoryLimit.bytes > 0 && need.Total() > options.memoryLimit.bytes)
+  if (options.memoryLimit.bytes > 0 && least > options.memoryLimit.bytes)
   {
-    Refuse(options, need, most, use);
+    Refuse(options, need, use);
   }
   return need;
 }
@@ -175,23 +183,43 @@ MemoryNeed NeedOf(const MergeOptions& options, const std::array<int, 3>& dimensi
   const InputSizes& inputs, unsigned threads, const VolumeUse& use)
 {
   MemoryNeed need;
-  need.voxels = VoxelBytes(options, dimensions, use);
+  need.voxels = VoxelBytes(options, dimensions, UseOf(options, inputs, use));
   need.rays = RayBytes(options, inputs, threads);
   need.program = programBytes;
   return need;
 }
 
-MemoryNeed RequireMemory(
-  const MergeOptions& options, const InputSizes& inputs, unsigned threads, const VolumeUse& use)
+std::vector<Position> KnownPlaces(const std::optional<std::vector<SiteFileList>>& headers)
+{
+  std::vector<Position> places;
+  for (const SiteFileList& radar : headers.value_or(std::vector<SiteFileList>()))
+  {
+    const KnownSite* site = FindSite(radar.name);
+    if (site == nullptr)
+    {
+      return {};
+    }
+    places.push_back(site->position);
+  }
+  return places;
+}
+
+MemoryNeed RequireMemory(const MergeOptions& options, const InputSizes& inputs, unsigned threads,
+  const VolumeUse& use, const std::vector<Position>& places)
 {
   const std::array<int, 3>& dimensions = options.grid.dimensions;
-  const MemoryNeed need = NeedOf(options, dimensions, inputs, threads, use);
-  MemoryNeed most = need;
+  if (!places.empty())
+  {
+    return RequireMemory(
+      options, inputs, threads, use, GridOf(options, places, DefaultRange), places);
+  }
+  MemoryNeed need = NeedOf(options, dimensions, inputs, threads, use);
+  const std::size_t least = need.Total();
   if (options.method == MergeMethod::Beam)
   {
-    most.geometry = inputs.radars * SiteGeometry::MostMemoryBytes(dimensions);
+    need.geometry = inputs.radars * SiteGeometry::MostMemoryBytes(dimensions);
   }
-  return Require(options, need, most, use);
+  return Require(options, need, least, UseOf(options, inputs, use));
 }
 
 MemoryNeed RequireMemory(const MergeOptions& options, const InputSizes& inputs, unsigned threads,
@@ -202,7 +230,7 @@ MemoryNeed RequireMemory(const MergeOptions& options, const InputSizes& inputs, 
   {
     need.geometry = GeometryBytes(grid, radars);
   }
-  return Require(options, need, need, use);
+  return Require(options, need, need.Total(), UseOf(options, inputs, use));
 }
 
 std::size_t FreeBytesOfAFile(const MergeOptions& options, unsigned threads)

@@ -4,10 +4,12 @@
 #include "nexrad/Grid/GridSpecification.h"
 #include "nexrad/Merging/MergeOptions.h"
 #include "nexrad/Model/Site.h"
+#include "nexrad/Series/InputFiles.h"
 
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace nexrad
@@ -16,12 +18,12 @@ namespace nexrad
 /// What becomes of merged volumes, beside the one that is being made.
 struct VolumeUse
 {
-  std::size_t others = 0;      ///< merged volumes that are there at the same time
+  std::size_t others = 0;      ///< merged volumes of other times that are there at the same time
   std::size_t bytesAVoxel = 0; ///< that are made of one volume, of all its moments together
 };
 
 /// The most memory that a run of merges has at a time, by what it is for, bytes. An estimate from
-/// the sizes of the buffers; what a run takes is 0.5 to 1 times as much.
+/// the sizes of the buffers; what a run takes is within a fifth of it.
 struct MemoryNeed
 {
   std::size_t voxels = 0;   ///< merged volumes, and what is made of them
@@ -46,15 +48,20 @@ struct InputSizes
 /// The sizes of files; a chunk folder counts as no file. Reads directories alone.
 InputSizes SizesOf(const std::vector<std::filesystem::path>& paths, std::size_t radars);
 
+/// Where the radars stand that headers name; empty where the site table lacks one, or there are no
+/// headers.
+std::vector<Position> KnownPlaces(const std::optional<std::vector<SiteFileList>>& headers);
+
 /// The need of merges with these options for a grid of these dimensions. `threads` decode files.
 /// Without `geometry`, which depends on where the radars are.
 MemoryNeed NeedOf(const MergeOptions& options, const std::array<int, 3>& dimensions,
   const InputSizes& inputs, unsigned threads, const VolumeUse& use);
 
-/// The same; throws Error when it is above the limit of the options: how much is needed, which
-/// dimensions of the same proportions fit, and which limit does.
-MemoryNeed RequireMemory(
-  const MergeOptions& options, const InputSizes& inputs, unsigned threads, const VolumeUse& use);
+/// The same, with the geometry of radars at these `places`, as far as they are known. Throws Error
+/// when it is above the limit of the options: how much is needed, which dimensions of the same
+/// proportions fit, and which limit does.
+MemoryNeed RequireMemory(const MergeOptions& options, const InputSizes& inputs, unsigned threads,
+  const VolumeUse& use, const std::vector<Position>& places = {});
 
 /// The same once the grid and the radars are known.
 MemoryNeed RequireMemory(const MergeOptions& options, const InputSizes& inputs, unsigned threads,

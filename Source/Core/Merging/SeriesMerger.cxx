@@ -198,7 +198,8 @@ void SeriesMerger::FindFiles()
       found = FindInputFiles(inputs);
       headers = ListByHeaders(found.paths, options.siteName);
       sizes = SizesOf(found.paths, headers ? headers->size() : 1);
-      const MemoryNeed need = RequireMemory(options, sizes, setup.threads, setup.use);
+      const MemoryNeed need =
+        RequireMemory(options, sizes, setup.threads, setup.use, KnownPlaces(headers));
       memoryForRays = MemoryForKeptRays(options, need);
       cache = setup.anyOrder ? std::make_shared<PolarCache>(memoryForRays) : nullptr;
     });

@@ -20,16 +20,22 @@ namespace
 constexpr std::size_t gibibyte = std::size_t(1) << 30;
 constexpr std::size_t voxels = std::size_t(256) * 256 * 128;
 constexpr VolumeUse written = {1, 2};
+const InputSizes twoFiles = {1, 2, 0};
 
 MemoryNeed Need(const MergeOptions& options)
 {
-  return NeedOf(options, options.grid.dimensions, {}, 2, written);
+  return NeedOf(options, options.grid.dimensions, twoFiles, 2, written);
 }
 
 // What a need above the limit is refused with; "" when it is not.
 std::string Refusal(const MergeOptions& options)
 {
-  return MessageOf([&] { RequireMemory(options, {}, 2, written); });
+  return MessageOf([&] { RequireMemory(options, twoFiles, 2, written); });
+}
+
+double NumberAfter(const std::string& text, const std::string& before)
+{
+  return std::stod(text.substr(text.find(before) + before.size()));
 }
 
 } // namespace
@@ -43,6 +49,50 @@ TEST(MemoryNeed, CountsTheBytesOfVoxels)
   EXPECT_EQ(Need(options).voxels, voxels * (2 * 15 + 2));
   options.furtherMoments = {MomentName::VEL};
   EXPECT_EQ(Need(options).voxels, voxels * (2 * 30 + 2));
+}
+
+TEST(MemoryNeed, OfOneTimeThereIsOneVolume)
+{
+  MergeOptions options;
+  EXPECT_EQ(NeedOf(options, {8, 8, 8}, {}, 2, written).voxels, 512U * 7); // of one file
+  options.begin = options.end = Time(std::chrono::hours(24));
+  EXPECT_EQ(Need(options).voxels, voxels * 7);
+  options.end = *options.end + std::chrono::minutes(5);
+  EXPECT_EQ(Need(options).voxels, voxels * 12);
+}
+
+// Each radar's geometry counts, as far as the radar sees the grid.
+TEST(MemoryNeed, ARefusalTellsOneNeed)
+{
+  MergeOptions options;
+  options.grid.dimensions = {2000, 1000, 33};
+  options.memoryLimit = {gibibyte / 2, "--memory"};
+  const InputSizes inputs = {3, 6, 0};
+  std::vector<double> needs; // GiB
+  for (const bool known : {false, true})
+  {
+    const std::vector<Position> places = {
+      {35.3, -97.3, 370.0}, {45.5, -122.9, 400.0}, {25.6, -80.4, 30.0}};
+    const std::string text = MessageOf([&]
+      { RequireMemory(options, inputs, 2, written, known ? places : std::vector<Position>()); });
+    needs.push_back(NumberAfter(text, "voxels needs "));
+    if (text.find(" MiB of memory") != std::string::npos)
+    {
+      needs.back() /= 1024.0;
+    }
+    const double enough = NumberAfter(text, "so does --memory ") / 1024.0;
+    EXPECT_NEAR(needs.back(), enough, 0.06) << text;
+  }
+  EXPECT_LT(needs[1], needs[0]); // none of these sees more than a part of the grid
+}
+
+TEST(MemoryNeed, HeadersAndTheSiteTableTellWhereRadarsStand)
+{
+  const std::vector<SiteFileList> radars = {{"KTLX", {}}, {"KLSX", {}}};
+  ASSERT_EQ(KnownPlaces(radars).size(), 2U);
+  EXPECT_NEAR(KnownPlaces(radars)[1].latitude, 38.7, 0.01);
+  EXPECT_TRUE(KnownPlaces(std::vector<SiteFileList>{{"KTLX", {}}, {"XXXX", {}}}).empty());
+  EXPECT_TRUE(KnownPlaces(std::nullopt).empty());
 }
 
 TEST(MemoryNeed, CountsTheSumsOfTheThesis)
