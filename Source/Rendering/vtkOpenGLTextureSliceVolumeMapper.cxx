@@ -234,7 +234,6 @@ std::string vtkOpenGLTextureSliceVolumeMapper::UpdateVolume(
   {
     return unsupported;
   }
-  parts.CropFlags = this->CroppingRegionFlags;
   parts.LabelWeight = this->MaskBlendFactor;
   parts.MaskValues = this->FindMaskValues();
   parts.Frame.SetVolume(parts.Image, cellData, volume);
@@ -354,6 +353,7 @@ bool vtkOpenGLTextureSliceVolumeMapper::PlaceSlices()
   parts.EmptySpace.Update(parts);
   parts.Frame.SetPlane(parts.Request.GetSlicePlane());
   vtkTextureSliceView view = parts.Frame.View;
+  view.Part = parts.Frame.Cut.Part;
   view.NumberOfSlices = this->NumberOfSlices;
   view.SampleDistance = this->ChooseSampleDistance();
   if (parts.Request.IsNearest())
@@ -413,7 +413,7 @@ std::string vtkOpenGLTextureSliceVolumeMapper::TakeImages(bool isDrawn)
     parts.Features.Slabs = false;
     parts.Features.BlendMode =
       parts.Request.ShowsPlaces() ? this->BlendMode : static_cast<int>(COMPOSITE_BLEND);
-    parts.Seen = parts.Frame.View.Part;
+    parts.Seen = parts.Frame.Cut.Part;
     std::string error;
     if (!parts.Draw(error))
     {
@@ -517,7 +517,7 @@ bool vtkOpenGLTextureSliceVolumeMapper::UpdateMask(std::string& error)
 
 std::array<double, 6> vtkOpenGLTextureSliceVolumeMapper::FindSeen() const
 {
-  std::array<double, 6> seen = this->Parts->Frame.View.Part;
+  std::array<double, 6> seen = this->Parts->Frame.Cut.Part;
   // A sum is black wherever there are samples.
   for (std::size_t axis = 0; axis < 3 && this->BlendMode != ADDITIVE_BLEND; ++axis)
   {
@@ -537,7 +537,7 @@ void vtkOpenGLTextureSliceVolumeMapper::SetUniforms(vtkRenderer* renderer)
   features.SecondMasked = features.SecondArray > 0 && parts.SecondArray.IsMasked();
   features.Rectilinear = parts.Coordinates.IsUsed();
   features.Blanked = parts.Blanks.IsUsed();
-  features.Cropped = parts.Frame.CropTest;
+  features.Cropped = parts.Frame.Cut.CropFlags != -1;
   features.Parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
   features.Shadows = parts.Shadows.IsUsed();
   features.Peel = parts.Peeling.GetStage();
@@ -551,7 +551,6 @@ void vtkOpenGLTextureSliceVolumeMapper::SetUniforms(vtkRenderer* renderer)
     selector->GetPropColorValue(parts.SelectionColor.data());
   }
   parts.Seen = this->FindSeen();
-  parts.Surfaces = parts.Request.MakeSurfaces();
 }
 
 void vtkOpenGLTextureSliceVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)

@@ -78,14 +78,8 @@ double FindMargin(const Source& source, const vtkTextureSliceFeatures& features)
     // Its entries lie in the middle of equal parts of the domain.
     return 0.5 / static_cast<double>(std::max(2, source.Table2D.GetWidth()) - 1);
   }
-  if (!features.Slabs)
-  {
-    return 0.0;
-  }
-  const std::size_t width = features.Labels > 0
-                              ? std::min(source.Table.GetWidth(), source.LabelTable.GetWidth())
-                              : source.Table.GetWidth();
-  return 1.0 / static_cast<double>(vtkTextureSliceIntegralTable::ChooseWidth(width) - 1);
+  const std::size_t width = vtkTextureSliceIntegralTable::ChooseWidth(source.Table.GetWidth());
+  return features.Slabs ? 1.0 / static_cast<double>(width - 1) : 0.0;
 }
 
 /// The opacities of one component of a brick are above 0 somewhere.
@@ -96,9 +90,9 @@ Test MakeOpacityTest(const Source& source, const vtkTextureSliceFeatures& featur
   const std::size_t component = features.Functions > 1 ? row : components.size() - 1;
   std::vector<const vtkTextureSliceVisibility*> visibilities{
     features.Table2D ? &source.Table2D.GetVisibility(row) : &source.Table.GetVisibility(row)};
-  for (std::size_t label = 0; label < static_cast<std::size_t>(features.Labels); ++label)
+  for (int label = features.Functions; label < features.CountFunctions(); ++label)
   {
-    visibilities.push_back(&source.LabelTable.GetVisibility(label));
+    visibilities.push_back(&source.Table.GetVisibility(static_cast<std::size_t>(label)));
   }
   const auto [least, most] = components[component].Range;
   // A brick of which all scalars are invisible may still hide a lesser extreme that is visible; it
@@ -276,8 +270,8 @@ void vtkTextureSliceDistanceMap::SetUniforms(
 
 vtkTextureSliceEmptySpace::Key vtkTextureSliceEmptySpace::MakeKey(const Source& source)
 {
-  return {source.Texture.GetBricks().GetBuildTime(), source.Table.GetFillTime(),
-    source.LabelTable.GetFillTime(), source.Table2D.GetFillTime(),
+  return {source.Texture.GetBricks().GetBuildTime(), source.Table.GetVisibilityTime(),
+    source.Table2D.GetFillTime(),
     {source.Request.Mapper->GetAverageIPScalarRange()[0],
       source.Request.Mapper->GetAverageIPScalarRange()[1]},
     source.Request.GetIsoValues(), source.Request.GetFeatures().GetDefines()};

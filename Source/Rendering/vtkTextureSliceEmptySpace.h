@@ -99,8 +99,8 @@ public:
 
 private:
   /// All that the answers depend on, the order that of MakeKey.
-  using Key = std::tuple<vtkMTimeType, vtkMTimeType, vtkMTimeType, vtkMTimeType,
-    std::array<double, 2>, std::vector<double>, std::string>;
+  using Key = std::tuple<vtkMTimeType, vtkMTimeType, vtkMTimeType, std::array<double, 2>,
+    std::vector<double>, std::string>;
   static Key MakeKey(const vtkTextureSliceParts& source);
 
   void FindVisible(const vtkTextureSliceParts& source);

@@ -227,8 +227,7 @@ void vtkTextureSliceFrame::SetVolume(vtkImageData* image, bool cellData, vtkVolu
     boxToIndex->SetElement(axis, axis, intervals);
     boxToIndex->SetElement(axis, 3, extent[2 * axis]);
     this->Origin[a] += extent[2 * axis] * spacing[axis];
-    this->Edge[a] = intervals * spacing[axis];
-    this->View.EdgeLength[a] = std::abs(this->Edge[a]);
+    this->View.EdgeLength[a] = intervals * spacing[axis];
     // Point scalars sit at the centres of the outermost texels, cell scalars half a cell inside.
     const double texels = intervals + (cellData ? 0 : 1);
     this->TextureScale[a] = static_cast<float>(intervals / texels);
@@ -283,31 +282,33 @@ void vtkTextureSliceFrame::SetCamera(vtkRenderer* renderer)
 
 void vtkTextureSliceFrame::SetCuts(vtkVolumeMapper* mapper)
 {
-  this->View.ClippingPlanes.clear();
+  this->Cut = {};
   vtkPlaneCollection* planes = mapper->GetClippingPlanes();
   const int count = planes != nullptr ? planes->GetNumberOfItems() : 0;
   for (int i = 0; i < count; ++i)
   {
-    this->View.ClippingPlanes.push_back(this->ToBox(planes->GetItem(i)));
+    this->Cut.Planes.push_back(this->ToBox(planes->GetItem(i)));
   }
-  this->View.Part = {0, 1, 0, 1, 0, 1};
   const int regions = mapper->GetCroppingRegionFlags();
-  this->CropTest = mapper->GetCropping() != 0 && regions != VTK_CROP_SUBVOLUME;
   const double* cropping = mapper->GetCroppingRegionPlanes();
   for (std::size_t axis = 0; axis < 3 && mapper->GetCropping() != 0; ++axis)
   {
-    double low = (cropping[2 * axis] - this->Origin[axis]) / this->Edge[axis];
-    double high = (cropping[2 * axis + 1] - this->Origin[axis]) / this->Edge[axis];
+    const double edge = this->View.EdgeLength[axis];
+    const double low = (cropping[2 * axis] - this->Origin[axis]) / edge;
+    const double high = (cropping[2 * axis + 1] - this->Origin[axis]) / edge;
     const auto [lower, upper] = std::minmax(low, high); // a negative spacing swaps them
     const std::array<double, 4> borders{
       0.0, std::clamp(lower, 0.0, 1.0), std::clamp(upper, 0.0, 1.0), 1.0};
     const auto [first, last] = FindKeptParts(regions, axis);
-    this->View.Part[2 * axis] = borders[first];
-    this->View.Part[2 * axis + 1] = borders[last + 1];
-    this->CropLow[axis] =
-      static_cast<float>(low) * this->TextureScale[axis] + this->TextureBias[axis];
-    this->CropHigh[axis] =
-      static_cast<float>(high) * this->TextureScale[axis] + this->TextureBias[axis];
+    this->Cut.Part[2 * axis] = borders[first];
+    this->Cut.Part[2 * axis + 1] = borders[last + 1];
+    // The part alone does not do it for other regions.
+    if (regions != VTK_CROP_SUBVOLUME)
+    {
+      this->Cut.CropFlags = regions;
+      this->Cut.CropLow[axis] = low;
+      this->Cut.CropHigh[axis] = high;
+    }
   }
 }
 
@@ -361,7 +362,7 @@ std::array<double, 3> vtkTextureSliceFrame::GetDataDirection(
     {
       data[a] += worldToBox->GetElement(axis, column) * world[static_cast<std::size_t>(column)];
     }
-    data[a] *= this->View.EdgeLength[a];
+    data[a] *= std::abs(this->View.EdgeLength[a]);
   }
   return data;
 }
@@ -383,12 +384,12 @@ std::array<float, 4> vtkTextureSliceFrame::ToTexture(const std::array<double, 4>
 std::vector<float> vtkTextureSliceFrame::GetClippingPlanesInTexture() const
 {
   std::vector<float> values;
-  for (const std::array<double, 4>& plane : this->View.ClippingPlanes)
+  for (const std::array<double, 4>& plane : this->Cut.Planes)
   {
     double least = plane[3];
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      least += plane[axis] * this->View.Part[2 * axis + (plane[axis] < 0.0 ? 1 : 0)];
+      least += plane[axis] * this->Cut.Part[2 * axis + (plane[axis] < 0.0 ? 1 : 0)];
     }
     if (least < 0.0)
     {
@@ -399,14 +400,9 @@ std::vector<float> vtkTextureSliceFrame::GetClippingPlanesInTexture() const
   return values;
 }
 
-std::array<float, 3> vtkTextureSliceFrame::GetEdges() const
-{
-  return {static_cast<float>(this->Edge[0]), static_cast<float>(this->Edge[1]),
-    static_cast<float>(this->Edge[2])};
-}
-
 bool vtkTextureSliceFrame::IsFlat() const
 {
-  return *std::min_element(this->View.EdgeLength.begin(), this->View.EdgeLength.end()) <= 0.0 ||
-         std::abs(this->BoxToWorld->Determinant()) <= 0.0;
+  const Vector& edges = this->View.EdgeLength;
+  return !(std::abs(edges[0] * edges[1] * edges[2]) > 0.0) ||
+         !(std::abs(this->BoxToWorld->Determinant()) > 0.0);
 }

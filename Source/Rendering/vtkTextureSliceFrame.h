@@ -5,6 +5,7 @@
 
 #include "vtkNew.h"
 #include "vtkNexradRenderingModule.h" // for the export macro
+#include "vtkTextureSliceLightCells.h"
 
 #include <array>
 #include <optional>
@@ -28,14 +29,12 @@ struct vtkTextureSliceView
   std::array<double, 16> BoxToCamera{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
   /// Box to clip coordinates, row by row.
   std::array<double, 16> BoxToClip{};
-  /// Data length of the box's edges; the sign does not matter.
+  /// Signed data length of the box's edges.
   std::array<double, 3> EdgeLength{1, 1, 1};
   /// Depth of the near plane: no slice is nearer.
   double NearDepth = 0.0;
   /// The part of the box to draw: lower x, upper x, lower y and so on.
   std::array<double, 6> Part{0, 1, 0, 1, 0, 1};
-  /// Planes in box coordinates; what has a*x + b*y + c*z + d < 0 is cut away.
-  std::vector<std::array<double, 4>> ClippingPlanes;
   /// The one plane to draw, in box coordinates; none: slices parallel to the image plane.
   std::optional<std::array<double, 4>> Plane;
   /// Slices between the nearest and the farthest point of the part; 0: from SampleDistance.
@@ -127,8 +126,6 @@ struct vtkTextureSliceFrame
   /// The clipping planes that cut something of the part off, four numbers each, in texture
   /// coordinates; what is below 0 is cut away.
   std::vector<float> GetClippingPlanesInTexture() const;
-  /// Signed data length of the box's edges.
-  std::array<float, 3> GetEdges() const;
   /// One voxel along its shortest edge as texture coordinates, and how many of them make half of
   /// its longest edge: 0 for cubes, 4 at most.
   std::array<float, 4> GetStair() const;
@@ -140,8 +137,8 @@ struct vtkTextureSliceFrame
   vtkNew<vtkMatrix4x4> BoxToClip;
   /// For the slices, without their number and distance.
   vtkTextureSliceView View;
+  vtkTextureSliceCut Cut;
   std::array<double, 3> Origin{};
-  std::array<double, 3> Edge{}; ///< signed data length of the box's edges
   /// Box to texture coordinates: p * scale + bias (Formulas R2).
   std::array<float, 3> TextureScale{};
   std::array<float, 3> TextureBias{};
@@ -150,11 +147,7 @@ struct vtkTextureSliceFrame
   std::array<float, 3> VoxelStep{};
   /// The mean spacing over twice the (signed) spacing along each axis.
   std::array<float, 3> InverseAspect{};
-  bool CellData = false; ///< whether the scalars are those of the image's cells
-  /// Whether samples must be tested against the cropping regions: the part alone does not do it.
-  bool CropTest = false;
-  std::array<float, 3> CropLow{};
-  std::array<float, 3> CropHigh{};
+  bool CellData = false;             ///< whether the scalars are those of the image's cells
   std::array<double, 3> Intervals{}; ///< voxels' edges in the box
   double ShortestVoxelEdge = 1.0;    ///< world length
 };

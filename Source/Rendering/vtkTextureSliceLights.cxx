@@ -103,7 +103,7 @@ void vtkTextureSliceLights::SetUniforms(
     const double eye[3] = {
       cameraToBox->GetElement(0, 3), cameraToBox->GetElement(1, 3), cameraToBox->GetElement(2, 3)};
     program->SetUniform3f("eyeInBox", ToFloat(eye).data());
-    program->SetUniform3f("boxEdges", frame.GetEdges().data());
+    program->SetUniform3f("boxEdges", ToFloat(frame.View.EdgeLength.data()).data());
     return;
   }
   program->SetUniform3f("lightAmbient", this->Ambient.data());
@@ -123,7 +123,7 @@ void vtkTextureSliceLights::SetUniforms(
   {
     gradientToCamera[i] =
       static_cast<float>(cameraToBox->GetElement(static_cast<int>(i / 3), static_cast<int>(i % 3)) *
-                         frame.Edge[i / 3]);
+                         frame.View.EdgeLength[i / 3]);
   }
   program->SetUniformMatrix4x4("boxToCamera", boxToCamera.data());
   program->SetUniformMatrix3x3("gradientToCamera", gradientToCamera.data());

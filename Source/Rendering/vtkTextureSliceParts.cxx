@@ -12,29 +12,10 @@
 namespace
 {
 
-void SetSurfaces(vtkShaderProgram* program, const std::vector<vtkTextureSliceSurface>& surfaces)
-{
-  std::vector<float> weights;
-  std::vector<float> ratios;
-  std::vector<float> material;
-  for (const vtkTextureSliceSurface& surface : surfaces)
-  {
-    weights.push_back(surface.Weight);
-    ratios.push_back(surface.InverseUnitDistance / surfaces.front().InverseUnitDistance);
-    material.insert(material.end(), surface.Material.begin(), surface.Material.end());
-  }
-  const int count = static_cast<int>(surfaces.size());
-  program->SetUniform1fv("componentWeight", count, weights.data());
-  program->SetUniform1fv("unitDistanceRatio", count, ratios.data());
-  program->SetUniform4fv("material", count, material.data());
-}
-
 void SetFrame(vtkShaderProgram* program, const vtkTextureSliceFrame& frame)
 {
   program->SetUniform3f("textureScale", frame.TextureScale.data());
   program->SetUniform3f("textureBias", frame.TextureBias.data());
-  program->SetUniform3f("cropLow", frame.CropLow.data());
-  program->SetUniform3f("cropHigh", frame.CropHigh.data());
   program->SetUniform3f("voxelStep", frame.VoxelStep.data());
   program->SetUniform4f("stair", frame.GetStair().data());
   program->SetUniform3f("inverseAspect", frame.InverseAspect.data());
@@ -67,19 +48,25 @@ void SetRays(vtkShaderProgram* program, const vtkTextureSliceParts& uniforms)
   auto steps = ToTexture(planes.GetSteps(), scale, {});
   program->SetUniformMatrix3x3("placeOfPixel", places.data());
   program->SetUniformMatrix3x3("stepOfPixel", steps.data());
-  const auto& part = frame.View.Part;
-  std::array<float, 3> low{};
-  std::array<float, 3> high{};
+  const vtkTextureSliceCut& cut = frame.Cut;
+  std::array<std::array<float, 3>, 4> faces{};
   std::array<float, 3> toUnits{};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    low[axis] = static_cast<float>(part[2 * axis]) * scale[axis] + bias[axis];
-    high[axis] = static_cast<float>(part[2 * axis + 1]) * scale[axis] + bias[axis];
-    toUnits[axis] = std::abs(frame.GetEdges()[axis]) / scale[axis] *
-                    uniforms.Surfaces.front().InverseUnitDistance;
+    const std::array<double, 4> places{
+      cut.Part[2 * axis], cut.Part[2 * axis + 1], cut.CropLow[axis], cut.CropHigh[axis]};
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      faces[i][axis] = static_cast<float>(places[i]) * scale[axis] + bias[axis];
+    }
+    const double edge = std::abs(frame.View.EdgeLength[axis]);
+    toUnits[axis] = static_cast<float>(edge / uniforms.Request.GetUnitDistance(0)) / scale[axis];
   }
-  program->SetUniform3f("partLow", low.data());
-  program->SetUniform3f("partHigh", high.data());
+  program->SetUniform3f("partLow", faces[0].data());
+  program->SetUniform3f("partHigh", faces[1].data());
+  program->SetUniform3f("cropLow", faces[2].data());
+  program->SetUniform3f("cropHigh", faces[3].data());
+  program->SetUniformi("cropFlags", cut.CropFlags);
   program->SetUniform3f("stepToUnits", toUnits.data());
   program->SetUniform4f("depthToSlice", planes.GetDepthToSlice().data());
   program->SetUniformf("pixelSize", static_cast<float>(uniforms.PixelSize));
@@ -115,13 +102,10 @@ std::vector<std::pair<const char*, vtkTextureObject*>> vtkTextureSliceParts::Fin
   add(features.SecondArray > 0, "secondTexture", this->SecondArray.GetTexture());
   add(features.Blanked, "blankTexture", this->Blanks.GetTexture());
   add(features.HasMask(), "maskTexture", this->Mask.GetTexture());
-  add(features.Labels > 0, "labelTable", this->LabelTable.GetTexture());
   add(features.Shadows, "lightTexture", this->Shadows.GetTexture());
   add(features.NeedsDepth(), "geometryDepth", this->Target.GetGeometryDepth());
   add(features.Skipping, "distanceMap", this->EmptySpace.GetDistances().GetTexture());
   add(features.Slabs, "integralTable", this->Integrals.GetTexture());
-  add(
-    features.Slabs && features.Labels > 0, "labelIntegralTable", this->LabelIntegrals.GetTexture());
   return textures;
 }
 
@@ -129,25 +113,18 @@ void vtkTextureSliceParts::SetUniforms(vtkShaderProgram* program)
 {
   SetRays(program, *this);
   SetFrame(program, this->Frame);
-  SetSurfaces(program, this->Surfaces);
   // What a shader does not have, VTK passes over.
   const vtkTextureSliceFeatures& features = this->Features;
   this->Request.SetUniforms(this->Texture.GetComponents(), program);
-  program->SetUniformi("cropFlags", this->CropFlags);
-  this->Table.SetUniforms("table", program);
+  this->Table.SetUniforms(program);
   this->Blanks.SetUniforms(program);
   this->EmptySpace.GetDistances().SetUniforms(program, this->Frame);
-  if (features.Labels > 0)
-  {
-    this->LabelTable.SetUniforms("labelTable", program);
-  }
   program->SetUniformf("labelWeight", this->LabelWeight);
   program->SetUniformf("table2DRows", static_cast<float>(this->Table2D.GetNumberOfRows()));
   this->Coordinates.SetUniforms(program);
   vtkTextureSliceRequest::SetSecondArray(this->SecondArray.GetComponents(), program);
   program->SetUniformi("slabsOfPiece", vtkTextureSliceFeatures::SlabsOfPiece);
-  this->Integrals.SetUniforms("lastIntegral", program);
-  this->LabelIntegrals.SetUniforms("lastLabelIntegral", program);
+  this->Integrals.SetUniforms(program);
   if (features.Lights >= 0)
   {
     this->Lights.SetUniforms(program, this->Frame);
@@ -192,9 +169,8 @@ void vtkTextureSliceParts::Release(vtkOpenGLRenderWindow* window)
   window->PushContext();
   for (vtkTextureObject* texture : {this->Texture.GetTexture(), this->Table.GetTexture(),
          this->Table2D.GetTexture(), this->Mask.GetTexture(), this->SecondArray.GetTexture(),
-         this->Blanks.GetTexture(), this->Coordinates.GetTexture(), this->LabelTable.GetTexture(),
-         this->Shadows.GetTexture(), this->Integrals.GetTexture(),
-         this->LabelIntegrals.GetTexture(), this->EmptySpace.GetDistances().GetTexture()})
+         this->Blanks.GetTexture(), this->Coordinates.GetTexture(), this->Shadows.GetTexture(),
+         this->Integrals.GetTexture(), this->EmptySpace.GetDistances().GetTexture()})
   {
     texture->ReleaseGraphicsResources(window);
   }
@@ -224,44 +200,29 @@ bool vtkTextureSliceParts::UpdateVolume(bool cellData, vtkDataArray* second, std
   }
   auto source = vtkTextureSliceScalars::Find(this->Image, this->Scalars, cellData);
   source.Places = this->Coordinates.GetPlaces();
-  return this->Texture.Update(this->Window, source, nearest, error) &&
-         this->Blanks.Update(this->Window, this->Image, cellData, error) &&
+  if (!this->Texture.Update(this->Window, source, nearest, error))
+  {
+    return false;
+  }
+  this->Table.Update(this->Window, this->Request.MakeRows(this->Texture.GetComponents()), nearest);
+  return this->Blanks.Update(this->Window, this->Image, cellData, error) &&
          (second == nullptr ||
            this->SecondArray.Update(this->Window,
              vtkTextureSliceScalars::Find(this->Image, second, cellData), nearest, error)) &&
-         this->UpdateTables(nearest, error);
-}
-
-bool vtkTextureSliceParts::UpdateTables(bool nearest, std::string& error)
-{
-  const auto& components = this->Texture.GetComponents();
-  const vtkTextureSliceFeatures features = this->Request.GetFeatures();
-  this->Table.Update(this->Window, this->Request.MakeRows(components), nearest);
-  if (features.Labels > 0)
-  {
-    this->LabelTable.Update(this->Window, this->Request.MakeLabelRows(components), nearest);
-  }
-  return !features.Table2D ||
-         this->Table2D.Update(this->Window, this->Request.MakeTables2D(), nearest, error);
+         (!this->Request.GetFeatures().Table2D ||
+           this->Table2D.Update(this->Window, this->Request.MakeTables2D(), nearest, error));
 }
 
 void vtkTextureSliceParts::UpdateIntegrals()
 {
   double unitDistance = 0.0; // the longest
-  for (const vtkTextureSliceSurface& surface : this->Surfaces)
+  for (int component = 0; component < this->Request.Components; ++component)
   {
-    unitDistance = std::max(unitDistance, 1.0 / static_cast<double>(surface.InverseUnitDistance));
+    unitDistance = std::max(unitDistance, this->Request.GetUnitDistance(component));
   }
   const double slab = this->Planes.GetDataStep();
   const double mostDepth = vtkTextureSliceIntegralTable::ChooseMostDepth(slab / unitDistance);
-  const int dimensions = this->Features.GetIntegralDimensions();
-  this->Integrals.Update(
-    this->Window, this->Table, this->Features.Functions, dimensions, mostDepth);
-  if (this->Features.Labels > 0)
-  {
-    this->LabelIntegrals.Update(
-      this->Window, this->LabelTable, this->Features.Labels, dimensions, mostDepth);
-  }
+  this->Integrals.Update(this->Window, this->Table, this->Features.CountFunctions(), mostDepth);
 }
 
 bool vtkTextureSliceParts::Draw(std::string& error)

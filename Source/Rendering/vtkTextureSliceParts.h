@@ -45,14 +45,12 @@ struct vtkTextureSliceParts
   vtkTextureSlicePlanes Planes;
   vtkTextureSliceTexture Texture;
   vtkTextureSliceTable Table;
-  vtkTextureSliceCoordinates Coordinates;      ///< used if Features.Rectilinear
-  vtkTextureSliceTexture SecondArray;          ///< used if Features.SecondArray is above 0
-  vtkTextureSliceTable2D Table2D;              ///< used if Features.Table2D
-  vtkTextureSliceBlanks Blanks;                ///< used if Features.Blanked
-  vtkTextureSliceTexture Mask;                 ///< used if Features.HasMask()
-  vtkTextureSliceTable LabelTable;             ///< used if Features.Labels is above 0
-  vtkTextureSliceIntegralTable Integrals;      ///< used if Features.Slabs
-  vtkTextureSliceIntegralTable LabelIntegrals; ///< the same, with labels
+  vtkTextureSliceCoordinates Coordinates; ///< used if Features.Rectilinear
+  vtkTextureSliceTexture SecondArray;     ///< used if Features.SecondArray is above 0
+  vtkTextureSliceTable2D Table2D;         ///< used if Features.Table2D
+  vtkTextureSliceBlanks Blanks;           ///< used if Features.Blanked
+  vtkTextureSliceTexture Mask;            ///< used if Features.HasMask()
+  vtkTextureSliceIntegralTable Integrals; ///< used if Features.Slabs
   vtkTextureSliceLights Lights;
   vtkTextureSliceShadows Shadows; ///< used if Features.Shadows
   vtkTextureSlicePeeling Peeling; ///< used if Features.Peel is above 0
@@ -65,10 +63,8 @@ struct vtkTextureSliceParts
   vtkTextureSliceFeatures Features;
   /// The part of the box with something to see: lower x, upper x, lower y and so on.
   std::array<double, 6> Seen{0, 1, 0, 1, 0, 1};
-  double PixelSize = 1.0;                       ///< pixels of the viewport for one of the picture
-  float LabelWeight = 1.0f;                     ///< how much the label's functions count
-  std::vector<vtkTextureSliceSurface> Surfaces; ///< one for each component
-  int CropFlags = 0;
+  double PixelSize = 1.0;                ///< pixels of the viewport for one of the picture
+  float LabelWeight = 1.0f;              ///< how much the label's functions count
   std::array<float, 3> SelectionColor{}; ///< used if Features.Selection
 
   /// The window whose context owns the graphics resources.
@@ -98,8 +94,7 @@ struct vtkTextureSliceParts
   void DrawWith(vtkShaderProgram* program, const std::function<void()>& draw);
 
 private:
-  bool UpdateTables(bool nearest, std::string& error);
-  /// Brings the integrals of the tables up to date, for slabs as thick as the planes are distant.
+  /// Brings the integrals of the table up to date, for slabs as thick as the planes are distant.
   void UpdateIntegrals();
   /// The textures that the features need, and the names of their samplers.
   std::vector<std::pair<const char*, vtkTextureObject*>> FindTextures();

@@ -138,8 +138,8 @@ std::string vtkTextureSliceFeatures::GetDefines() const
       {"ADDITIVE", vtkVolumeMapper::ADDITIVE_BLEND},
       {"ISOSURFACE", vtkVolumeMapper::ISOSURFACE_BLEND}, {"PLANE", vtkVolumeMapper::SLICE_BLEND},
       {"BLEND", this->BlendMode}, {"COMPONENTS", this->Components}, {"FUNCTIONS", this->Functions},
-      {"ROWS", this->CountRows()}, {"LABEL_ROWS", this->CountLabelRows()},
-      {"CLIPPING_PLANES", this->ClippingPlanes}, {"PEEL_OUTSIDE", vtkTextureSlicePeeling::Outside},
+      {"ROWS", this->CountRows()}, {"CLIPPING_PLANES", this->ClippingPlanes},
+      {"PEEL_OUTSIDE", vtkTextureSlicePeeling::Outside},
       {"PEEL_BETWEEN", vtkTextureSlicePeeling::Between},
       {"PEEL_REST", vtkTextureSlicePeeling::Rest}})
   {
@@ -169,8 +169,7 @@ std::string vtkTextureSliceFeatures::GetDefines() const
     define("LIGHTS", std::to_string(this->Lights));
   }
   define("TABLE", SamplerOf(this->CountRows()));
-  define("LABEL_TABLE", SamplerOf(this->CountLabelRows()));
-  define("INTEGRAL_TABLE", this->GetIntegralDimensions() == 1 ? "sampler1D" : "sampler2D");
+  define("INTEGRAL_TABLE", SamplerOf(this->CountFunctions()));
   define("OPAQUE", Opaque);
   define("LEAST_SLICES", this->Slabs ? LeastSlabs : LeastSamples);
   return defines;
@@ -335,7 +334,7 @@ vtkTextureSliceFeatures vtkTextureSliceRequest::GetFeatures() const
   vtkTextureSliceFeatures features;
   features.BlendMode = this->BlendMode;
   features.Components = this->Components;
-  features.Functions = this->IsIndependent() ? this->Components : 1;
+  features.Functions = this->GetFunctions(this->Components - 1) + 1;
   features.ExtremeSample =
     IsExtreme(this->BlendMode) && this->Components > 1 && !this->IsIndependent();
   features.GradientOpacity = this->ShowsPlaces() && this->HasGradientOpacity();
@@ -351,11 +350,20 @@ vtkTextureSliceFeatures vtkTextureSliceRequest::GetFeatures() const
   return features;
 }
 
-vtkTextureSliceRow vtkTextureSliceRequest::MakeRow(int functions,
+vtkTextureSliceRow vtkTextureSliceRequest::MakeRow(int functions, int label,
   const vtkTextureSliceComponent& color, const vtkTextureSliceComponent& opacity) const
 {
+  // What a label has no function for is as it is without a label.
   vtkTextureSliceRow row;
-  if (this->Property->GetColorChannels(functions) == 1)
+  vtkColorTransferFunction* colorOfLabel =
+    label > 0 ? this->Property->GetLabelColor(label) : nullptr;
+  vtkPiecewiseFunction* opacityOfLabel =
+    label > 0 ? this->Property->GetLabelScalarOpacity(label) : nullptr;
+  if (colorOfLabel != nullptr)
+  {
+    row.Color = colorOfLabel;
+  }
+  else if (this->Property->GetColorChannels(functions) == 1)
   {
     row.Gray = this->Property->GetGrayTransferFunction(functions);
   }
@@ -363,11 +371,13 @@ vtkTextureSliceRow vtkTextureSliceRequest::MakeRow(int functions,
   {
     row.Color = this->Property->GetRGBTransferFunction(functions);
   }
+  const auto native = vtkGPUVolumeRayCastMapper::NATIVE;
   row.ColorDomain = {
-    color.Range, this->Mapper->GetColorRangeType() == vtkGPUVolumeRayCastMapper::NATIVE};
-  row.Opacity = this->Property->GetScalarOpacity(functions);
-  row.OpacityDomain = {
-    opacity.Range, this->Mapper->GetScalarOpacityRangeType() == vtkGPUVolumeRayCastMapper::NATIVE};
+    color.Range, colorOfLabel == nullptr && this->Mapper->GetColorRangeType() == native};
+  row.Opacity =
+    opacityOfLabel != nullptr ? opacityOfLabel : this->Property->GetScalarOpacity(functions);
+  row.OpacityDomain = {opacity.Range,
+    opacityOfLabel == nullptr && this->Mapper->GetScalarOpacityRangeType() == native};
   row.OpticalDepth = this->BlendMode == vtkVolumeMapper::COMPOSITE_BLEND;
   return row;
 }
@@ -376,54 +386,26 @@ std::vector<vtkTextureSliceRow> vtkTextureSliceRequest::MakeRows(
   const std::vector<vtkTextureSliceComponent>& components) const
 {
   const vtkTextureSliceFeatures features = this->GetFeatures();
+  const bool native =
+    this->Mapper->GetGradientOpacityRangeType() == vtkGPUVolumeRayCastMapper::NATIVE;
   std::vector<vtkTextureSliceRow> rows;
-  for (int i = 0; i < features.Functions; ++i)
+  for (int i = 0; i < features.CountRows(); ++i)
   {
-    const auto& own = components[static_cast<std::size_t>(i)];
-    rows.push_back(this->MakeRow(i, own, features.Functions > 1 ? own : components.back()));
-  }
-  for (int i = 0; i < features.Functions && features.GradientOpacity; ++i)
-  {
-    vtkTextureSliceRow row;
-    const auto& range =
-      features.Functions > 1 ? components[static_cast<std::size_t>(i)] : components.back();
-    row.Opacity = this->Property->GetGradientOpacity(i);
-    row.OpacityDomain = {{0.0, GradientRange * Width(range)},
-      this->Mapper->GetGradientOpacityRangeType() == vtkGPUVolumeRayCastMapper::NATIVE};
-    rows.push_back(row);
-  }
-  return rows;
-}
-
-std::vector<vtkTextureSliceRow> vtkTextureSliceRequest::MakeLabelRows(
-  const std::vector<vtkTextureSliceComponent>& components) const
-{
-  // What a label has no function for is as it is without a label.
-  const vtkTextureSliceComponent& scalars = components.front();
-  const int labels = this->CountLabels();
-  std::vector<vtkTextureSliceRow> rows;
-  for (int label = 1; label <= labels; ++label)
-  {
-    vtkTextureSliceRow row = this->MakeRow(0, scalars, scalars);
-    if (vtkColorTransferFunction* color = this->Property->GetLabelColor(label))
+    const int function = i % features.CountFunctions();
+    const int label = std::max(0, function - features.Functions + 1);
+    const int set = label > 0 ? 0 : function;
+    const auto& color = components[static_cast<std::size_t>(set)];
+    const auto& opacity = features.Functions > 1 ? color : components.back();
+    if (i == function)
     {
-      row.Gray = nullptr;
-      row.Color = color;
-      row.ColorDomain = {scalars.Range, false};
+      rows.push_back(this->MakeRow(set, label, color, opacity));
+      continue;
     }
-    if (vtkPiecewiseFunction* opacity = this->Property->GetLabelScalarOpacity(label))
-    {
-      row.Opacity = opacity;
-      row.OpacityDomain = {scalars.Range, false};
-    }
-    rows.push_back(row);
-  }
-  for (int label = 1; label <= labels && this->HasGradientOpacity(); ++label)
-  {
-    vtkPiecewiseFunction* own = this->Property->GetLabelGradientOpacity(label);
+    vtkPiecewiseFunction* ofLabel =
+      label > 0 ? this->Property->GetLabelGradientOpacity(label) : nullptr;
     vtkTextureSliceRow row;
-    row.Opacity = own != nullptr ? own : this->Property->GetGradientOpacity(0);
-    row.OpacityDomain.Range = {0.0, GradientRange * Width(scalars)};
+    row.Opacity = ofLabel != nullptr ? ofLabel : this->Property->GetGradientOpacity(set);
+    row.OpacityDomain = {{0.0, GradientRange * Width(opacity)}, label == 0 && native};
     rows.push_back(row);
   }
   return rows;
@@ -440,23 +422,38 @@ std::vector<vtkImageData*> vtkTextureSliceRequest::MakeTables2D() const
   return tables;
 }
 
-std::vector<vtkTextureSliceSurface> vtkTextureSliceRequest::MakeSurfaces() const
+double vtkTextureSliceRequest::GetUnitDistance(int component) const
 {
-  const bool own = this->GetFeatures().Functions > 1;
-  std::vector<vtkTextureSliceSurface> surfaces(static_cast<std::size_t>(this->Components));
+  return this->Property->GetScalarOpacityUnitDistance(this->GetFunctions(component));
+}
+
+double vtkTextureSliceRequest::GetWeight(int component) const
+{
+  return this->IsIndependent() && this->Components > 1
+           ? this->Property->GetComponentWeight(component)
+           : 1.0;
+}
+
+void vtkTextureSliceRequest::SetMaterials(vtkShaderProgram* program) const
+{
+  std::vector<float> weights;
+  std::vector<float> ratios;
+  std::vector<float> materials;
   for (int i = 0; i < this->Components; ++i)
   {
-    const int functions = own ? i : 0;
-    vtkTextureSliceSurface& surface = surfaces[static_cast<std::size_t>(i)];
-    surface.InverseUnitDistance =
-      static_cast<float>(1.0 / this->Property->GetScalarOpacityUnitDistance(functions));
-    surface.Weight = own ? static_cast<float>(this->Property->GetComponentWeight(i)) : 1.0f;
-    surface.Material = {static_cast<float>(this->Property->GetAmbient(functions)),
-      static_cast<float>(this->Property->GetDiffuse(functions)),
-      static_cast<float>(this->Property->GetSpecular(functions)),
-      static_cast<float>(this->Property->GetSpecularPower(functions))};
+    const int functions = this->GetFunctions(i);
+    weights.push_back(static_cast<float>(this->GetWeight(i)));
+    ratios.push_back(static_cast<float>(this->GetUnitDistance(0) / this->GetUnitDistance(i)));
+    for (const double returned :
+      {this->Property->GetAmbient(functions), this->Property->GetDiffuse(functions),
+        this->Property->GetSpecular(functions), this->Property->GetSpecularPower(functions)})
+    {
+      materials.push_back(static_cast<float>(returned));
+    }
   }
-  return surfaces;
+  SetValues(program, "componentWeight", weights);
+  SetValues(program, "unitDistanceRatio", ratios);
+  program->SetUniform4fv("material", this->Components, materials.data());
 }
 
 std::vector<float> vtkTextureSliceRequest::FindIsoValues(
@@ -483,6 +480,7 @@ void vtkTextureSliceRequest::SetUniforms(
     { return Normalized(this->Property->GetClippedVoxelIntensity(), target); });
   program->SetUniform4f("clippedScalars", clipped.data());
   SetValues(program, "isoValues", this->FindIsoValues(components));
+  this->SetMaterials(program);
   SetValues(program, "contours", Normalize(this->GetContours(), components.front()));
   const double* range = this->Mapper->GetAverageIPScalarRange();
   const std::array<float, 2> averageRange{

@@ -42,8 +42,9 @@ struct vtkTextureSliceFeatures
   int Lights = -1;         ///< -1: unlit; 0: a single headlight; else the number of lights
   int IsoValues = 0;
   int Contours = 0; ///< rays begin at the first contour of these values; 0: where they enter
-  /// Neighbouring slabs share a sample, and several are computed faster than one after the other.
-  static constexpr int SlabsOfPiece = 4;
+  /// Several slabs are computed faster than one after the other, but rays that end in the first one
+  /// pay for all of them.
+  static constexpr int SlabsOfPiece = 3;
   bool Slabs = false; ///< the functions are integrated over slabs (Formulas L1)
   /// An extreme of dependent components: all of them are those of the sample with the extreme of
   /// the last one.
@@ -53,12 +54,10 @@ struct vtkTextureSliceFeatures
   bool Places = false;   ///< the picture is of the first places that are seen, not of colours
   int Peel = 0;          ///< vtkTextureSlicePeeling::Stage
 
-  /// Rows of the transfer table: functions, then their gradient opacities.
-  int CountRows() const { return this->Functions * (this->GradientOpacity ? 2 : 1); }
-  /// Rows of the table of labels: functions, then their gradient opacities.
-  int CountLabelRows() const { return this->Labels * (this->GradientOpacity ? 2 : 1); }
-  /// Dimensions of the textures of integrals: those of labels and the common ones have the same.
-  int GetIntegralDimensions() const { return this->Functions > 1 || this->Labels > 0 ? 2 : 1; }
+  /// Rows of functions in the transfer table: the sets, then those of the labels.
+  int CountFunctions() const { return this->Functions + this->Labels; }
+  /// All its rows: functions, then their gradient opacities.
+  int CountRows() const { return this->CountFunctions() * (this->GradientOpacity ? 2 : 1); }
   bool NeedsGradient() const
   {
     return this->GradientOpacity || (this->Table2D && this->SecondArray == 0) ||
@@ -69,16 +68,6 @@ struct vtkTextureSliceFeatures
   bool HasMask() const { return this->BinaryMask || this->Labels > 0; }
   /// The first lines of the fragment shaders.
   std::string GetDefines() const;
-};
-
-/// How one component is coloured.
-struct vtkTextureSliceSurface
-{
-  float InverseUnitDistance = 1.0f; ///< one over the data length that its opacity stands for
-  float Weight = 1.0f;
-  /// How much of a light it returns: vtkVolumeProperty's ambient, diffuse, specular and specular
-  /// power.
-  std::array<float, 4> Material{};
 };
 
 struct vtkTextureSliceRequest
@@ -118,27 +107,30 @@ struct vtkTextureSliceRequest
   bool IsShaded() const;
   /// What these ask of the shaders; what the frame and the texture add is left out.
   vtkTextureSliceFeatures GetFeatures() const;
+  /// For the transfer table; see vtkTextureSliceFeatures::CountRows.
   std::vector<vtkTextureSliceRow> MakeRows(
-    const std::vector<vtkTextureSliceComponent>& components) const;
-  /// For the table of labels: from label 1 on.
-  std::vector<vtkTextureSliceRow> MakeLabelRows(
     const std::vector<vtkTextureSliceComponent>& components) const;
   /// One for each set of functions.
   std::vector<vtkImageData*> MakeTables2D() const;
   /// Whether two-dimensional functions read a second array.
   bool ReadsSecondArray() const { return this->Has2D() && this->SecondArray > 0; }
 
+  /// The functions of a component: its own, or the first ones.
+  int GetFunctions(int component) const { return this->IsIndependent() ? component : 0; }
+  /// The data length that a component's opacity stands for.
+  double GetUnitDistance(int component) const;
+  double GetWeight(int component) const;
+
   /// Sets what follows from the request and the scalars: how texels become 0 to 1, average range,
-  /// iso-values.
+  /// iso-values, and how components are coloured.
   void SetUniforms(
     const std::vector<vtkTextureSliceComponent>& components, vtkShaderProgram* program) const;
   /// The same for the components of the second array.
   static void SetSecondArray(
     const std::vector<vtkTextureSliceComponent>& components, vtkShaderProgram* program);
-  /// One for each component.
-  std::vector<vtkTextureSliceSurface> MakeSurfaces() const;
 
 private:
+  void SetMaterials(vtkShaderProgram* program) const;
   /// Whether there is a mask of that type.
   bool HasMask(int type) const;
   /// Whether slabs are integrated over: where samples are blended by one-dimensional functions of
@@ -149,7 +141,8 @@ private:
   bool HasGradientOpacity() const;
   bool Has2D() const;
   int CountLabels() const;
-  vtkTextureSliceRow MakeRow(int functions, const vtkTextureSliceComponent& color,
+  /// Label 0: the functions of a set.
+  vtkTextureSliceRow MakeRow(int functions, int label, const vtkTextureSliceComponent& color,
     const vtkTextureSliceComponent& opacity) const;
 };
 

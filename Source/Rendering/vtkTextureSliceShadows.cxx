@@ -81,14 +81,14 @@ std::vector<std::vector<Function>> MakeFunctions(const Source& source, double de
 {
   const vtkTextureSliceFeatures features = source.Request.GetFeatures();
   const auto& components = source.Texture.GetComponents();
-  const std::vector<vtkTextureSliceSurface> surfaces = source.Request.MakeSurfaces();
   // The table has halvings of a unit distance.
-  const auto make = [&](const vtkTextureSliceTable& table, std::size_t row, std::size_t component,
-                      const vtkTextureSliceSurface& surface, double weight)
+  const auto make = [&](std::size_t row, std::size_t component, double weight)
   {
-    Function function{component, components[component].Range, table.GetOpacities(row)};
-    const float scale = static_cast<float>(density * std::log(2.0) * weight) *
-                        surface.InverseUnitDistance * surface.Weight;
+    Function function{component, components[component].Range, source.Table.GetOpacities(row)};
+    const int number = static_cast<int>(component);
+    const auto scale =
+      static_cast<float>(density * std::log(2.0) * weight * source.Request.GetWeight(number) /
+                         source.Request.GetUnitDistance(number));
     for (float& entry : function.Entries)
     {
       entry *= scale;
@@ -100,40 +100,15 @@ std::vector<std::vector<Function>> MakeFunctions(const Source& source, double de
   for (std::size_t i = 0; i < count; ++i)
   {
     // One function for each component, or that of the opacity.
-    const std::size_t component = count > 1 ? i : components.size() - 1;
-    functions.back().push_back(make(source.Table, i, component, surfaces[i], 1.0));
+    functions.back().push_back(make(i, count > 1 ? i : components.size() - 1, 1.0));
   }
-  for (int label = 0; label < features.Labels; ++label)
+  const auto weight = static_cast<double>(source.LabelWeight);
+  for (int label = 1; label <= features.Labels; ++label)
   {
-    const auto row = static_cast<std::size_t>(label);
     functions.push_back(
-      {make(source.LabelTable, row, 0, surfaces[0], static_cast<double>(source.LabelWeight)),
-        make(source.Table, 0, 0, surfaces[0], 1.0 - static_cast<double>(source.LabelWeight))});
+      {make(static_cast<std::size_t>(label), 0, weight), make(0, 0, 1.0 - weight)});
   }
   return functions;
-}
-
-/// What cropping and clipping planes leave of the box; nothing: all of it.
-std::optional<vtkTextureSliceLightCells::Cut> FindCut(const Source& source)
-{
-  const vtkTextureSliceFrame& frame = source.Frame;
-  vtkTextureSliceLightCells::Cut cut{frame.View.Part, frame.View.ClippingPlanes};
-  if (frame.CropTest)
-  {
-    cut.CropFlags = source.CropFlags;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const auto toBox = [&](float texture)
-      {
-        return static_cast<double>(texture - frame.TextureBias[axis]) /
-               static_cast<double>(frame.TextureScale[axis]);
-      };
-      cut.CropLow[axis] = toBox(frame.CropLow[axis]);
-      cut.CropHigh[axis] = toBox(frame.CropHigh[axis]);
-    }
-  }
-  const bool whole = cut == vtkTextureSliceLightCells::Cut();
-  return whole ? std::nullopt : std::optional(cut);
 }
 
 /// The opacity of a surface.
@@ -186,7 +161,10 @@ vtkTextureSliceLightCells::Source MakeCells(const Source& source, double density
   }
   const double* spacing = source.Image->GetSpacing();
   made.VoxelEdge = {std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2])};
-  made.Left = FindCut(source);
+  if (!(source.Frame.Cut == vtkTextureSliceCut()))
+  {
+    made.Left = source.Frame.Cut;
+  }
   return made;
 }
 

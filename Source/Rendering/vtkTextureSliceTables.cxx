@@ -222,7 +222,7 @@ void vtkTextureSliceTable::Update(
     this->Last = keys;
     this->Fill(rows, ChooseWidth(window, rows));
     this->FillOpacities(window, rows);
-    Upload(this->Texture, rows.size() == 1 ? 1 : 2, rows.size(), this->Entries);
+    Upload(this->Texture, rows.size(), this->Entries);
   }
   vtkTextureSliceSetSampling(this->Texture, nearest);
 }
@@ -230,6 +230,7 @@ void vtkTextureSliceTable::Update(
 void vtkTextureSliceTable::Fill(const std::vector<vtkTextureSliceRow>& rows, std::size_t width)
 {
   this->Entries.resize(rows.size() * width * 4);
+  const std::vector<vtkTextureSliceVisibility> before = std::move(this->Visibilities);
   this->Visibilities.clear();
   for (std::size_t row = 0; row < rows.size(); ++row)
   {
@@ -239,6 +240,10 @@ void vtkTextureSliceTable::Fill(const std::vector<vtkTextureSliceRow>& rows, std
     ToOpticalDepths(rows[row], static_cast<int>(width), entries);
   }
   this->FillTime.Modified();
+  if (!(this->Visibilities == before))
+  {
+    this->VisibilityTime.Modified();
+  }
 }
 
 void vtkTextureSliceTable::FillOpacities(
@@ -261,8 +266,9 @@ void vtkTextureSliceTable::FillOpacities(
 }
 
 void vtkTextureSliceTable::Upload(
-  vtkTextureObject* texture, int dimensions, std::size_t rows, const std::vector<float>& texels)
+  vtkTextureObject* texture, std::size_t rows, const std::vector<float>& texels)
 {
+  const int dimensions = rows == 1 ? 1 : 2;
   if (texture->GetNumberOfDimensions() != dimensions)
   {
     texture->ReleaseGraphicsResources(texture->GetContext());
@@ -274,12 +280,12 @@ void vtkTextureSliceTable::Upload(
     : texture->Create2DFromRaw(columns, static_cast<unsigned int>(rows), 4, VTK_FLOAT, first);
 }
 
-void vtkTextureSliceTable::SetUniforms(const std::string& name, vtkShaderProgram* program) const
+void vtkTextureSliceTable::SetUniforms(vtkShaderProgram* program) const
 {
   // The first and the last scalar lie at the centres of the outermost texels.
   const auto texel = static_cast<float>(1.0 / static_cast<double>(this->GetWidth()));
-  program->SetUniformf((name + "Scale").c_str(), 1.0f - texel);
-  program->SetUniformf((name + "Bias").c_str(), 0.5f * texel);
+  program->SetUniformf("tableScale", 1.0f - texel);
+  program->SetUniformf("tableBias", 0.5f * texel);
 }
 
 bool vtkTextureSliceTable2D::Update(vtkOpenGLRenderWindow* window,
@@ -387,10 +393,10 @@ double vtkTextureSliceIntegralTable::ChooseMostDepth(double unitsOfSlab)
   return std::exp2(std::ceil(std::log2(needed)));
 }
 
-void vtkTextureSliceIntegralTable::Update(vtkOpenGLRenderWindow* window,
-  const vtkTextureSliceTable& table, int rows, int dimensions, double mostDepth)
+void vtkTextureSliceIntegralTable::Update(
+  vtkOpenGLRenderWindow* window, const vtkTextureSliceTable& table, int rows, double mostDepth)
 {
-  const Key key{table.GetFillTime(), rows, dimensions, mostDepth};
+  const Key key{table.GetFillTime(), rows, mostDepth};
   if (this->Texture->GetHandle() != 0 && this->Texture->GetContext() == window && key == this->Last)
   {
     return;
@@ -405,11 +411,10 @@ void vtkTextureSliceIntegralTable::Update(vtkOpenGLRenderWindow* window,
     Integrate(table.GetEntries(row), width, mostDepth, &integrals[row * this->Width * 4]);
   }
   vtkTextureSliceSetSampling(this->Texture, true);
-  vtkTextureSliceTable::Upload(
-    this->Texture, dimensions, static_cast<std::size_t>(rows), integrals);
+  vtkTextureSliceTable::Upload(this->Texture, static_cast<std::size_t>(rows), integrals);
 }
 
-void vtkTextureSliceIntegralTable::SetUniforms(const char* name, vtkShaderProgram* program) const
+void vtkTextureSliceIntegralTable::SetUniforms(vtkShaderProgram* program) const
 {
-  program->SetUniformf(name, static_cast<float>(this->Width) - 1.0f);
+  program->SetUniformf("lastIntegral", static_cast<float>(this->Width) - 1.0f);
 }

@@ -53,6 +53,11 @@ public:
                             this->VisibleBefore[static_cast<std::size_t>(first)];
   }
 
+  bool operator==(const vtkTextureSliceVisibility& other) const
+  {
+    return this->VisibleBefore == other.VisibleBefore;
+  }
+
 private:
   /// Visible entries before each one; one more than there are entries.
   std::vector<std::size_t> VisibleBefore{0};
@@ -89,8 +94,7 @@ class vtkTextureSliceTable
 {
 public:
   /// Brings rows of RGBA texels into a texture of one dimension (of a single row) or two.
-  static void Upload(
-    vtkTextureObject* texture, int dimensions, std::size_t rows, const std::vector<float>& texels);
+  static void Upload(vtkTextureObject* texture, std::size_t rows, const std::vector<float>& texels);
 
   /**
    * Fills and uploads the table if the functions, the ranges or the window changed.
@@ -108,8 +112,9 @@ public:
   /// Opacities of a row over its domain, or optical depths of a unit distance for each factor of 2
   /// that it weakens what is behind (Formulas R1). Their number does not depend on colours.
   const std::vector<float>& GetOpacities(std::size_t row) const { return this->Opacities[row]; }
-  /// When the rows were filled last.
+  /// When the rows were filled last, and when they showed other scalars than before.
   vtkMTimeType GetFillTime() const { return this->FillTime.GetMTime(); }
+  vtkMTimeType GetVisibilityTime() const { return this->VisibilityTime.GetMTime(); }
   /// RGBA of the entries of a row as they are in the texture.
   const float* GetEntries(std::size_t row) const
   {
@@ -117,9 +122,9 @@ public:
   }
   /// Entries of a row.
   std::size_t GetWidth() const { return this->Entries.size() / (4 * this->Last.size()); }
-  /// Sets NAMEScale and NAMEBias: the texture coordinate of a scalar that is s of the way through
+  /// Sets tableScale and tableBias: the texture coordinate of a scalar that is s of the way through
   /// its domain (0 to 1) is s * scale + bias (Formulas R2).
-  void SetUniforms(const std::string& name, vtkShaderProgram* program) const;
+  void SetUniforms(vtkShaderProgram* program) const;
 
 private:
   /// What a row is made from; pointers are compared, never followed.
@@ -134,6 +139,7 @@ private:
   std::vector<std::vector<float>> Opacities;           ///< one for each row
   std::vector<vtkTextureSliceVisibility> Visibilities; ///< one for each row
   vtkTimeStamp FillTime;
+  vtkTimeStamp VisibilityTime;
   std::vector<Key> Last; ///< one for each row that the texture was made from
 };
 
@@ -195,15 +201,14 @@ public:
   /**
    * Fills and uploads the integrals if the table, the limit or the window changed.
    * @param rows of @a table to integrate.
-   * @param dimensions of the texture: 1 (for a single row) or 2.
    * @param mostDepth depths count as at most this: differences of large sums lose precision.
    */
-  void Update(vtkOpenGLRenderWindow* window, const vtkTextureSliceTable& table, int rows,
-    int dimensions, double mostDepth);
+  void Update(
+    vtkOpenGLRenderWindow* window, const vtkTextureSliceTable& table, int rows, double mostDepth);
 
   vtkTextureObject* GetTexture() const { return this->Texture; }
   /// Sets the number of the last entry of a row.
-  void SetUniforms(const char* name, vtkShaderProgram* program) const;
+  void SetUniforms(vtkShaderProgram* program) const;
 
   /// Entries of a row for functions of so many entries.
   static std::size_t ChooseWidth(std::size_t entries);
@@ -223,8 +228,8 @@ public:
     const float* entries, std::size_t width, double mostDepth, float* integrals);
 
 private:
-  /// When the table was filled, rows, dimensions and limit of depth.
-  using Key = std::tuple<vtkMTimeType, int, int, double>;
+  /// When the table was filled, rows and limit of depth.
+  using Key = std::tuple<vtkMTimeType, int, double>;
 
   vtkNew<vtkTextureObject> Texture;
   std::size_t Width = 0;

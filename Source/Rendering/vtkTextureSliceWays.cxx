@@ -34,9 +34,13 @@
 #include <cstdlib>
 #include <cstring>
 #include <utility>
+#include <vector>
 
 namespace
 {
+
+/// Columns and rows of a work group of the compute shader.
+constexpr int GroupSize = 8;
 
 GLint GetInteger(GLenum name)
 {
@@ -65,40 +69,23 @@ bool HasExtension(const char* name)
   return false;
 }
 
-/// Columns and rows of a work group: 8, or less where the context allows less.
-int FindGroupSize()
+/// Whether the context that is current has compute shaders (OpenGL 4.3, or 4.2 with
+/// ARB_compute_shader), and can store into a picture of 16 bits.
+bool HasCompute()
 {
-  int size = 8;
-  for (const GLuint axis : {0u, 1u})
+  if (GetVersion() < 43 && !(GetVersion() >= 42 && HasExtension("GL_ARB_compute_shader") &&
+                             HasExtension("GL_ARB_internalformat_query2")))
   {
-    GLint most = 0;
-    glGetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_SIZE, axis, &most);
-    size = std::min(size, most);
+    return false;
   }
-  while (size * size > GetInteger(GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS))
-  {
-    size /= 2;
-  }
-  return size;
-}
-
-bool CanStore(GLenum format)
-{
   GLint support = GL_NONE;
-  glGetInternalformativ(GL_TEXTURE_2D, format, GL_SHADER_IMAGE_STORE, 1, &support);
-  return support == GL_FULL_SUPPORT || support == GL_CAVEAT_SUPPORT;
+  glGetInternalformativ(GL_TEXTURE_2D, GL_RGBA16, GL_SHADER_IMAGE_STORE, 1, &support);
+  return (support == GL_FULL_SUPPORT || support == GL_CAVEAT_SUPPORT) &&
+         GetInteger(GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS) >= GroupSize * GroupSize;
 }
 
-/// The first lines of a shader.
-std::string MakeVersion()
-{
-  const std::string version = GetVersion() >= 43
-                                ? "#version 430\n"
-                                : "#version 420\n#extension GL_ARB_compute_shader : require\n";
-  return version + "#define TEXTURE_SLICE_GROUP " + std::to_string(FindGroupSize()) + "\n";
-}
-
-/// A program with one compute shader.
+/// A program with one compute shader, for which VTK 9.1 has no class. It is a vtkShaderProgram, so
+/// that VTK's record of the current program and its functions for uniforms hold for it too.
 class ComputeProgram : public vtkShaderProgram
 {
 public:
@@ -172,6 +159,102 @@ std::string MakeShader(std::string main, const std::string& defines)
   return main;
 }
 
+/// Where the corners of a part of the box (lower x, upper x, lower y and so on) are in a picture of
+/// that size, in pixels; none where a corner is not in front of the eye.
+std::vector<std::array<double, 2>> FindCorners(const vtkTextureSliceFrame& frame,
+  const std::array<double, 6>& part, const std::array<double, 2>& size)
+{
+  const auto& m = frame.View.BoxToClip;
+  std::vector<std::array<double, 2>> corners;
+  for (std::size_t corner = 0; corner < 8; ++corner)
+  {
+    const double x = part[corner & 1];
+    const double y = part[2 + ((corner >> 1) & 1)];
+    const double z = part[4 + ((corner >> 2) & 1)];
+    const auto row = [&](std::size_t i)
+    { return m[4 * i] * x + m[4 * i + 1] * y + m[4 * i + 2] * z + m[4 * i + 3]; };
+    if (!(row(3) > 0.0))
+    {
+      return {};
+    }
+    corners.push_back(
+      {0.5 * (row(0) / row(3) + 1.0) * size[0], 0.5 * (row(1) / row(3) + 1.0) * size[1]});
+  }
+  return corners;
+}
+
+/// The smallest rectangle, inside of another one, with all pixels between those corners; without
+/// corners, all of the other one.
+vtkTextureSlicePixels FindPixels(
+  const std::vector<std::array<double, 2>>& corners, const vtkTextureSlicePixels& within)
+{
+  std::array<double, 4> reached{1e9, 1e9, -1e9, -1e9};
+  for (const auto& from : corners)
+  {
+    for (const auto& to : corners)
+    {
+      // Of the way from one corner to another, what the rows of the rectangle see.
+      for (const double at : {from[1], double(within[1]), double(within[3])})
+      {
+        if ((at - from[1]) * (to[1] - at) >= 0.0 && at >= within[1] && at <= within[3])
+        {
+          const double part = at == from[1] ? 0.0 : (at - from[1]) / (to[1] - from[1]);
+          const double column = from[0] + part * (to[0] - from[0]);
+          reached = {std::min(reached[0], column), std::min(reached[1], at),
+            std::max(reached[2], column), std::max(reached[3], at)};
+        }
+      }
+    }
+  }
+  vtkTextureSlicePixels pixels = within;
+  for (std::size_t axis = 0; axis < 2 && !corners.empty(); ++axis)
+  {
+    const double most = within[axis + 2];
+    pixels[axis] =
+      static_cast<int>(std::clamp(std::floor(reached[axis]), 1.0 * within[axis], most));
+    pixels[axis + 2] =
+      static_cast<int>(std::clamp(std::ceil(reached[axis + 2]), 1.0 * within[axis], most));
+  }
+  return pixels;
+}
+
+/// Stores into those pixels of a picture of 16 bits, which may be read afterwards. What the corners
+/// leave out is not drawn, band by band.
+void Dispatch(vtkShaderProgram* program, vtkTextureObject* picture,
+  const vtkTextureSlicePixels& pixels, const std::vector<std::array<double, 2>>& corners)
+{
+  constexpr int rowsOfBand = 64;
+  constexpr GLuint imageUnit = 0;
+  const auto countGroups = [](int from, int to)
+  { return static_cast<GLuint>(std::max(0, (to - from + GroupSize - 1) / GroupSize)); };
+  program->SetUniformi("pictureImage", imageUnit);
+  glBindImageTexture(imageUnit, picture->GetHandle(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16);
+  for (int row = pixels[1]; row < pixels[3]; row += rowsOfBand)
+  {
+    const auto band =
+      FindPixels(corners, {pixels[0], row, pixels[2], std::min(row + rowsOfBand, pixels[3])});
+    program->SetUniform2i("firstPixel", band.data());
+    program->SetUniform2i("endOfPixels", band.data() + 2);
+    glDispatchCompute(countGroups(band[0], band[2]), countGroups(band[1], band[3]), 1);
+  }
+  // The picture is read as a texture, and cleared or stored into again for the next one.
+  glMemoryBarrier(
+    GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+  glBindImageTexture(imageUnit, 0, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16);
+}
+
+vtkSmartPointer<vtkShaderProgram> MakeComputeProgram(const std::string& defines)
+{
+  std::string source = MakeShader(TextureSliceCS, defines);
+  vtkShaderProgram::Substitute(source, "//VTK::TextureSlice::Version",
+    std::string(GetVersion() >= 43 ? "#version 430\n"
+                                   : "#version 420\n#extension GL_ARB_compute_shader : require\n") +
+      "#define TEXTURE_SLICE_GROUP " + std::to_string(GroupSize) + "\n");
+  auto program = vtkSmartPointer<ComputeProgram>::New();
+  program->SetSource(source);
+  return program;
+}
+
 bool CanBePolygons(const vtkTextureSliceFeatures& features)
 {
   return features.BlendMode == vtkVolumeMapper::COMPOSITE_BLEND && !features.Slabs;
@@ -229,90 +312,6 @@ void vtkTextureSliceBox::ReleaseGraphicsResources()
   this->Program = nullptr;
 }
 
-bool vtkTextureSliceCompute::IsSupported()
-{
-  const bool hasShaders =
-    GetVersion() >= 43 || (GetVersion() >= 42 && HasExtension("GL_ARB_compute_shader") &&
-                            HasExtension("GL_ARB_internalformat_query2"));
-  return hasShaders && FindGroupSize() > 0 && CanStore(GL_RGBA16);
-}
-
-vtkShaderProgram* vtkTextureSliceCompute::Ready(vtkOpenGLRenderWindow* window,
-  const std::string& key, const std::function<std::string()>& makeShader)
-{
-  vtkSmartPointer<vtkShaderProgram>& program = this->Programs[key];
-  if (program == nullptr)
-  {
-    std::string source = makeShader();
-    vtkShaderProgram::Substitute(source, "//VTK::TextureSlice::Version", MakeVersion());
-    auto made = vtkSmartPointer<ComputeProgram>::New();
-    made->SetSource(source);
-    program = made;
-  }
-  this->Program = window->GetShaderCache()->ReadyShaderProgram(program.Get());
-  return this->Program;
-}
-
-void vtkTextureSliceCompute::Dispatch(
-  vtkTextureObject* picture, const vtkTextureSlicePixels& pixels)
-{
-  const int size = FindGroupSize();
-  const auto countGroups = [size](int from, int to)
-  { return static_cast<GLuint>(std::max(0, (to - from + size - 1) / size)); };
-  constexpr GLuint imageUnit = 0;
-  this->Program->SetUniform2i("firstPixel", pixels.data());
-  this->Program->SetUniform2i("endOfPixels", pixels.data() + 2);
-  this->Program->SetUniformi("pictureImage", imageUnit);
-  glBindImageTexture(imageUnit, picture->GetHandle(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16);
-  glDispatchCompute(countGroups(pixels[0], pixels[2]), countGroups(pixels[1], pixels[3]), 1);
-  // The picture is read as a texture, and cleared or stored into again for the next one.
-  glMemoryBarrier(
-    GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-  glBindImageTexture(imageUnit, 0, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16);
-}
-
-void vtkTextureSliceCompute::ReleaseGraphicsResources(vtkOpenGLRenderWindow* window)
-{
-  for (auto& [key, program] : this->Programs)
-  {
-    program->ReleaseGraphicsResources(window);
-  }
-  this->Programs.clear();
-  this->Program = nullptr;
-}
-
-vtkTextureSlicePixels vtkTextureSliceCompute::FindPixels(const vtkTextureSliceFrame& frame,
-  const std::array<double, 6>& part, const std::array<int, 2>& size)
-{
-  const auto& m = frame.View.BoxToClip;
-  std::array<double, 4> limits{1.0, 1.0, -1.0, -1.0}; // of the window, -1 to 1
-  for (std::size_t corner = 0; corner < 8; ++corner)
-  {
-    const double x = part[corner & 1];
-    const double y = part[2 + ((corner >> 1) & 1)];
-    const double z = part[4 + ((corner >> 2) & 1)];
-    const double w = m[12] * x + m[13] * y + m[14] * z + m[15];
-    if (!(w > 0.0))
-    {
-      return {0, 0, size[0], size[1]};
-    }
-    for (std::size_t axis = 0; axis < 2; ++axis)
-    {
-      const double* row = m.data() + 4 * axis;
-      const double at = std::clamp((row[0] * x + row[1] * y + row[2] * z + row[3]) / w, -1.0, 1.0);
-      limits[axis] = std::min(limits[axis], at);
-      limits[2 + axis] = std::max(limits[2 + axis], at);
-    }
-  }
-  vtkTextureSlicePixels pixels{};
-  for (std::size_t axis = 0; axis < 2; ++axis)
-  {
-    pixels[axis] = static_cast<int>(std::floor(0.5 * (limits[axis] + 1.0) * size[axis]));
-    pixels[2 + axis] = static_cast<int>(std::ceil(0.5 * (limits[2 + axis] + 1.0) * size[axis]));
-  }
-  return pixels;
-}
-
 vtkTextureSliceWays::Way vtkTextureSliceWays::FindAsked(Way asked)
 {
   const char* value = std::getenv(Variable);
@@ -332,7 +331,7 @@ vtkTextureSliceWays::Way vtkTextureSliceWays::FindAsked(Way asked)
 
 vtkTextureSliceWays::Way vtkTextureSliceWays::ChooseByTrial()
 {
-  if (!vtkTextureSliceCompute::IsSupported())
+  if (!HasCompute())
   {
     return Fragments;
   }
@@ -381,16 +380,20 @@ void vtkTextureSliceWays::RunTrial(vtkTextureSliceParts& parts, const vtkTexture
 
 bool vtkTextureSliceWays::Ready(Way way, const vtkTextureSliceParts& parts, const char* instead)
 {
-  const char* main = way == Compute ? TextureSliceCS : TextureSliceFS;
   const std::string defines =
     parts.Features.GetDefines() + (way == Polygons ? "#define TEXTURE_SLICE_POLYGONS 1\n" : "");
   const std::string key = Names[way] + defines;
-  const auto make = [main, &defines] { return MakeShader(main, defines); };
   this->Program = nullptr;
-  if (this->Failed.count(key) == 0)
+  if (this->Failed.count(key) == 0 && way == Compute)
   {
-    this->Program = way == Compute ? this->ComputeShaders.Ready(parts.Window, key, make)
-                                   : this->Box.Ready(parts.Window, key, make);
+    vtkSmartPointer<vtkShaderProgram>& program = this->ComputePrograms[key];
+    program = program != nullptr ? program : MakeComputeProgram(defines);
+    this->Program = parts.Window->GetShaderCache()->ReadyShaderProgram(program.Get());
+  }
+  else if (this->Failed.count(key) == 0)
+  {
+    this->Program = this->Box.Ready(
+      parts.Window, key, [&defines] { return MakeShader(TextureSliceFS, defines); });
   }
   if (this->Program == nullptr)
   {
@@ -412,7 +415,7 @@ bool vtkTextureSliceWays::Choose(const vtkTextureSliceParts& parts)
   {
     way = this->ChooseByTrial();
   }
-  if (way == Compute && !vtkTextureSliceCompute::IsSupported())
+  if (way == Compute && !HasCompute())
   {
     this->Fallback = "the context has no compute shaders (OpenGL 4.3): fragments draw the volume";
     way = Fragments;
@@ -437,7 +440,7 @@ void vtkTextureSliceWays::DrawPixels(
     {
       if (way == Compute)
       {
-        this->ComputeShaders.Dispatch(parts.Target.GetPicture(), pixels);
+        Dispatch(this->Program, parts.Target.GetPicture(), pixels, this->Corners);
         return;
       }
       const int times = way == Polygons ? parts.Planes.GetNumberOfSlices() : 1;
@@ -456,8 +459,10 @@ void vtkTextureSliceWays::Draw(vtkTextureSliceParts& parts)
     state->vtkglBlendFuncSeparate(GL_ONE_MINUS_DST_ALPHA, GL_ONE, GL_ONE_MINUS_DST_ALPHA, GL_ONE);
   }
   vtkTextureObject* picture = parts.Target.GetPicture();
-  const auto pixels = vtkTextureSliceCompute::FindPixels(parts.Frame, parts.Seen,
-    {static_cast<int>(picture->GetWidth()), static_cast<int>(picture->GetHeight())});
+  const int width = static_cast<int>(picture->GetWidth());
+  const int height = static_cast<int>(picture->GetHeight());
+  this->Corners = FindCorners(parts.Frame, parts.Seen, {1.0 * width, 1.0 * height});
+  const auto pixels = FindPixels(this->Corners, {0, 0, width, height});
   if (std::exchange(this->IsTrialDue, false))
   {
     this->RunTrial(parts, pixels);
@@ -468,7 +473,11 @@ void vtkTextureSliceWays::Draw(vtkTextureSliceParts& parts)
 void vtkTextureSliceWays::ReleaseGraphicsResources(vtkOpenGLRenderWindow* window)
 {
   this->Box.ReleaseGraphicsResources();
-  this->ComputeShaders.ReleaseGraphicsResources(window);
+  for (auto& [key, program] : this->ComputePrograms)
+  {
+    program->ReleaseGraphicsResources(window);
+  }
+  this->ComputePrograms.clear();
   this->Program = nullptr;
   this->Failed.clear();
 }

@@ -33,6 +33,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <string>
 #include <utility>
 #include <vector>
@@ -198,8 +199,8 @@ public:
   {
     for (int view = -1; view < Views; ++view) // the first ones upload and compile
     {
-      this->Draw(this->Plain, view, this->PlainTimes);
-      this->Draw(this->Lit, view, this->LitTimes);
+      this->Draw(this->Plain, view, this->PlainTimes, this->PlainProcessor);
+      this->Draw(this->Lit, view, this->LitTimes, this->LitProcessor);
     }
     vtkPiecewiseFunction* opacity = this->Stage.GetProperty()->GetScalarOpacity();
     std::vector<double> light = this->Renew(
@@ -216,9 +217,10 @@ public:
     const int* size = this->Image->GetDimensions();
     const double plain = Median(this->PlainTimes);
     const double lit = Median(this->LitTimes);
-    std::printf("| %dx%dx%d | %s | %s | %.1f | %.1f | %.2f | %.1f | %.1f | %.1f | %.1f |\n",
+    std::printf("| %dx%dx%d | %s | %s | %.1f | %.1f | %.2f | %.2f | %.1f | %.1f | %.1f | %.1f |\n",
       size[0], size[1], size[2], this->Image->GetScalarTypeAsString(),
-      this->Surfaces ? "surfaces" : "volume", plain, lit, lit / plain, Median(light), Median(table),
+      this->Surfaces ? "surfaces" : "volume", plain, lit, lit / plain,
+      Median(this->LitProcessor) / Median(this->PlainProcessor), Median(light), Median(table),
       Median(volume), Median(dragged));
     std::fflush(stdout);
   }
@@ -252,16 +254,19 @@ private:
     }
   }
 
-  void Draw(vtkVolumeMapper* mapper, int view, std::vector<double>& times)
+  void Draw(vtkVolumeMapper* mapper, int view, std::vector<double>& times,
+    std::vector<double>& processorTimes)
   {
     AimCamera(this->Stage.GetRenderer(), this->Image, std::max(view, 0));
     this->Stage.GetVolume()->SetMapper(mapper);
+    const std::clock_t processorBegin = std::clock();
     const auto begin = Clock::now();
     this->Stage.GetWindow()->Render();
     this->Stage.GetWindow()->WaitForCompletion();
     if (view >= 0)
     {
       times.push_back(Milliseconds(begin));
+      processorTimes.push_back(static_cast<double>(std::clock() - processorBegin));
     }
   }
 
@@ -288,6 +293,8 @@ private:
   vtkNew<vtkOpenGLTextureSliceVolumeMapper> Lit;
   std::vector<double> PlainTimes;
   std::vector<double> LitTimes;
+  std::vector<double> PlainProcessor; ///< in std::clock's units
+  std::vector<double> LitProcessor;
 };
 
 enum class Special
@@ -437,8 +444,9 @@ void MeasureLight(const std::vector<int>& sizes)
   std::printf("\nShadows and occlusion: a frame without and with them, and a new light volume for "
               "another light, table or volume, and for another table during an interaction, "
               "milliseconds\n\n"
-              "| volume | scalars | drawn | without | with | with / without | light | table | "
-              "volume | dragged |\n|---|---|---|---|---|---|---|---|---|---|\n");
+              "| volume | scalars | drawn | without | with | with / without | processor with / "
+              "without | light | table | volume | dragged |\n"
+              "|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (const int size : sizes)
   {
     for (const int scalarType : {VTK_FLOAT, VTK_UNSIGNED_CHAR})

@@ -298,7 +298,7 @@ std::array<float, 3> vtkTextureSliceLightGrid::GetTextureScale() const
   return scale;
 }
 
-bool vtkTextureSliceLightCells::Cut::Leaves(const std::array<double, 3>& at) const
+bool vtkTextureSliceCut::Leaves(const std::array<double, 3>& at) const
 {
   int region = 0;
   constexpr std::array<int, 3> weights{1, 3, 9};

@@ -48,6 +48,23 @@ struct VTKNEXRADRENDERING_EXPORT vtkTextureSliceLightGrid
   std::array<float, 3> GetTextureScale() const;
 };
 
+/// What cropping and clipping leave of the volume, in box coordinates.
+struct VTKNEXRADRENDERING_EXPORT vtkTextureSliceCut
+{
+  std::array<double, 6> Part{0, 1, 0, 1, 0, 1};   ///< lower x, upper x, lower y and so on
+  std::vector<std::array<double, 4>> Planes = {}; ///< a*x + b*y + c*z + d < 0 is cut away
+  std::array<double, 3> CropLow{};                ///< the planes between 27 regions
+  std::array<double, 3> CropHigh{};
+  int CropFlags = -1; ///< one bit for each region that is left; -1: the part is all that is left
+
+  bool Leaves(const std::array<double, 3>& at) const;
+  bool operator==(const vtkTextureSliceCut& other) const
+  {
+    return std::tie(this->Part, this->Planes, this->CropLow, this->CropHigh, this->CropFlags) ==
+           std::tie(other.Part, other.Planes, other.CropLow, other.CropHigh, other.CropFlags);
+  }
+};
+
 /**
  * The extinction of each cell of a grid (Formulas L2: -ln(1 - opacity) over a length): the mean of
  * its voxels', which the transfer functions give. Voxels that are hidden, that are not finite, or
@@ -86,23 +103,6 @@ public:
     }
   };
 
-  /// What cropping and clipping leave of the volume; places are 0 to 1 along each axis.
-  struct Cut
-  {
-    std::array<double, 6> Part{0, 1, 0, 1, 0, 1};   ///< lower x, upper x, lower y and so on
-    std::vector<std::array<double, 4>> Planes = {}; ///< a*x + b*y + c*z + d < 0 is cut away
-    std::array<double, 3> CropLow{};                ///< the planes between 27 regions
-    std::array<double, 3> CropHigh{};
-    int CropFlags = -1; ///< one bit for each region that is left
-
-    bool Leaves(const std::array<double, 3>& at) const;
-    bool operator==(const Cut& other) const
-    {
-      return std::tie(this->Part, this->Planes, this->CropLow, this->CropHigh, this->CropFlags) ==
-             std::tie(other.Part, other.Planes, other.CropLow, other.CropHigh, other.CropFlags);
-    }
-  };
-
   /// What the cells are made from.
   struct Source
   {
@@ -119,7 +119,7 @@ public:
     std::size_t Component = 0;
     /// Data length of each edge of a voxel.
     std::array<double, 3> VoxelEdge{1, 1, 1};
-    std::optional<Cut> Left = {}; ///< nothing: the whole volume
+    std::optional<vtkTextureSliceCut> Left = {}; ///< nothing: the whole volume
 
     /// Whether all but the contents of scalars and mask is the same.
     bool IsLike(const Source& other) const

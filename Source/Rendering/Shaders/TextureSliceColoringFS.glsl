@@ -1,5 +1,5 @@
-// Rows of colour and opacity over 0 to 1, one for each set of functions; then, with gradient
-// opacity, as many rows of it. A single row is a 1-D texture: its look-up reads half as many texels.
+// Rows of colour and opacity over 0 to 1, one for each set of functions and one for each label from 1 on;
+// then, with gradient opacity, as many rows of it. A single row is a 1-D texture: its look-up reads half as many texels.
 // Composite: the alpha of the sets of functions is the optical depth of a unit distance, for each
 // factor of 2 that it weakens what is behind (Formulas R1).
 uniform TEXTURE_SLICE_TABLE transferTable;
@@ -43,20 +43,15 @@ float CountUnits(int component)
 }
 #endif
 
+// The row of a component's functions, or of a label's above 0.
+int FindRow(int component, int label)
+{
+  return label > 0 ? TEXTURE_SLICE_FUNCTIONS + label - 1 : component;
+}
+
 #ifdef TEXTURE_SLICE_LABELS
-// Rows of colour and opacity, one for each label from 1 on; then, with gradient opacity, as many rows
-// of it.
-uniform TEXTURE_SLICE_LABEL_TABLE labelTable;
-uniform float labelTableScale;
-uniform float labelTableBias;
 // How much the label's functions count, the rest being the common ones.
 uniform float labelWeight;
-
-vec4 LookUpLabel(float scalar, int row)
-{
-  return LookUpRow(
-    labelTable, scalar * labelTableScale + labelTableBias, row, TEXTURE_SLICE_LABEL_ROWS);
-}
 #endif
 
 #ifdef TEXTURE_SLICE_TABLE_2D
@@ -86,16 +81,9 @@ vec4 LookUp2D(vec4 scalars, float scalar, int functions)
 
 #if defined TEXTURE_SLICE_BLENDS_SAMPLES || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ISOSURFACE
 #ifdef TEXTURE_SLICE_GRADIENT_OPACITY
-// Label 0: the common functions.
-float GradientOpacity(float magnitude, int component, int label)
+float GradientOpacity(float magnitude, int row)
 {
-#ifdef TEXTURE_SLICE_LABELS
-  if (label > 0)
-  {
-    return LookUpLabel(magnitude, TEXTURE_SLICE_LABELS + label - 1).a;
-  }
-#endif
-  return LookUp(magnitude, TEXTURE_SLICE_FUNCTIONS + component).a;
+  return LookUp(magnitude, TEXTURE_SLICE_ROWS / 2 + row).a;
 }
 
 // The opacity of a step as the gradient weakens it: VTK's ray caster multiplies the opacity of a
@@ -110,25 +98,12 @@ float WeakenOpacity(float opacity, float gradientOpacity)
 }
 #endif
 
-#if defined TEXTURE_SLICE_SHADOWS && \
-  (defined TEXTURE_SLICE_LIGHTS || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ISOSURFACE)
-// Of the light, and of the sky's, that arrive at a sample.
-vec2 FindTransmittance(vec3 gradient)
-{
-#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ISOSURFACE
-  return FetchTransmittanceBeside(gradient);
-#else
-  return FetchTransmittance();
-#endif
-}
-#endif
-
 #ifdef TEXTURE_SLICE_LIGHTS
 // The light and the sky's light that arrive: the sky lights what is ambient, the light the rest.
 vec3 LightAndShade(vec4 color, vec3 gradient, vec4 surface)
 {
 #ifdef TEXTURE_SLICE_SHADOWS
-  vec2 arriving = Weaken(FindTransmittance(gradient));
+  vec2 arriving = FindArriving(gradient);
   surface.xyz *= arriving.yxx;
 #endif
   return clamp(Light(color.rgb, gradient, surface), 0.0, 1.0);
@@ -141,19 +116,16 @@ vec4 Finish(vec4 color, vec4 scalars, int component, int label)
 #ifdef TEXTURE_SLICE_GRADIENT
   vec4 gradient = Gradient(scalars, component);
 #ifdef TEXTURE_SLICE_GRADIENT_OPACITY
-  color.a = WeakenOpacity(color.a, GradientOpacity(gradient.w, component, label));
+  color.a = WeakenOpacity(color.a, GradientOpacity(gradient.w, FindRow(component, label)));
 #endif
 #ifdef TEXTURE_SLICE_LIGHTS
   color.rgb = LightAndShade(color, gradient.xyz, material[component]);
 #endif
 #endif
-#if defined TEXTURE_SLICE_SHADOWS && !defined TEXTURE_SLICE_LIGHTS
-#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ISOSURFACE
-  vec2 arriving = Weaken(FindTransmittance(gradient.xyz));
+#if defined TEXTURE_SLICE_SHADOWS && !defined TEXTURE_SLICE_LIGHTS && \
+  TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ISOSURFACE
+  vec2 arriving = FindArriving(gradient.xyz);
   color.rgb *= arriving.x * arriving.y;
-#else
-  color.rgb *= FetchLight();
-#endif
 #endif
   return color;
 }

@@ -14,7 +14,8 @@ void main()
   if (StartRay(gl_FragCoord.xy, 0.0) && slice >= raySpan.x && slice <= raySpan.y)
   {
     sampleUnits = CountSlices(slice) * length(sampleStep);
-    GatherSample(PlaceAt(slice));
+    GatherSample(slice);
+    EndTurn();
   }
   gl_FragData[0] = FindPicture();
 #else

@@ -122,10 +122,11 @@ uniform sampler3D lightTexture;
 uniform vec3 lightTextureScale;
 
 #if !defined TEXTURE_SLICE_LIGHTS && TEXTURE_SLICE_BLEND != TEXTURE_SLICE_ISOSURFACE
+#define TEXTURE_SLICE_LIT_TURNS 1
 // What shadow and occlusion leave of a colour that has no shading: the light texture holds that.
-float FetchLight()
+float FetchLight(vec3 at)
 {
-  return textureLod(lightTexture, textureCoordinate * lightTextureScale, 0.0).r;
+  return textureLod(lightTexture, at * lightTextureScale, 0.0).r;
 }
 #else
 // Of the texture, red: the transmittance to the light; green: its mean over the sky (Formulas L2).
@@ -133,10 +134,9 @@ float FetchLight()
 // How strong shadow and occlusion are, 0 to 1.
 uniform vec2 lightStrength;
 
-// Of the light, and of the sky's, with shadow and occlusion at full strength.
-vec2 FetchTransmittance()
+vec2 Weaken(vec2 transmittance)
 {
-  return textureLod(lightTexture, textureCoordinate * lightTextureScale, 0.0).rg;
+  return mix(vec2(1.0), transmittance, lightStrength);
 }
 
 #if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ISOSURFACE
@@ -178,7 +178,7 @@ float CrossOtherSurfaces(float change)
 // The light, and the sky's, of a place on a surface are those beside it on the side of the eye: on
 // the way to the light, where the shadows are the same, or straight off where that leads along the
 // surface. Light from behind as the eye sees it has crossed the surface.
-vec2 FetchTransmittanceBeside(vec3 gradient)
+vec2 FindArriving(vec3 gradient)
 {
   vec3 slope = gradient * gradientToCells;
   vec3 normal = slope * (sideOfEye * inversesqrt(max(dot(slope, slope), 1e-30)));
@@ -192,13 +192,14 @@ vec2 FetchTransmittanceBeside(vec3 gradient)
   arriving *= CrossOtherSurfaces(dot(gradient * gradientToChange, cells));
 #endif
   float taken = litSurface.y * clamp(0.5 - approach * (0.5 / grazing), 0.0, 1.0);
-  return vec2(min(arriving.r, 1.0 - taken), arriving.g);
+  return Weaken(vec2(min(arriving.r, 1.0 - taken), arriving.g));
+}
+#else
+// Of the light, and of the sky's.
+vec2 FindArriving(vec3 gradient)
+{
+  return Weaken(textureLod(lightTexture, textureCoordinate * lightTextureScale, 0.0).rg);
 }
 #endif
-
-vec2 Weaken(vec2 transmittance)
-{
-  return mix(vec2(1.0), transmittance, lightStrength);
-}
 #endif
 #endif

@@ -52,7 +52,8 @@ vec4 March()
   float at = -dot(slicePlane, vec4(rayOrigin, 1.0)) / dot(slicePlane.xyz, rayStep);
   if (at >= raySpan.x && at <= raySpan.y)
   {
-    GatherSample(PlaceAt(at));
+    GatherSample(at);
+    EndTurn();
   }
   return FindPicture();
 }
@@ -102,7 +103,7 @@ float EndOfPiece(float at)
 vec4 March()
 {
   float at = raySpan.x;
-  bool begins = true; // there is no piece in front of this one
+  SlabEnd frontEnd = FetchEnd(PlaceAt(at));
 #ifdef TEXTURE_SLICE_SKIPPING
   StartSkipping();
   float known = at; // up to there the ray is in a brick that was looked at
@@ -124,12 +125,14 @@ vec4 March()
       break;
     }
     float start = max(at, floor(clear / piece) * piece);
-    begins = begins || start > at;
-    at = start;
+    if (start > at)
+    {
+      at = start;
+      frontEnd = FetchEnd(PlaceAt(at));
+    }
 #endif
     float next = EndOfPiece(at);
-    GatherPiece(at, next, begins);
-    begins = false;
+    GatherPiece(at, next, frontEnd);
     if (picture.a > TEXTURE_SLICE_OPAQUE)
     {
       break;
@@ -151,7 +154,11 @@ float CountSlices(float at)
 #if defined TEXTURE_SLICE_GRADIENT
 const int samplesInTurn = 1; // it would take too long to compile
 #elif TEXTURE_SLICE_BLEND == TEXTURE_SLICE_COMPOSITE || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_AVERAGE
+#ifdef TEXTURE_SLICE_LIT_TURNS
+const int samplesInTurn = 3; // with one look-up of light
+#else
 const int samplesInTurn = 2;
+#endif
 #else
 const int samplesInTurn = 4;
 #endif
@@ -188,9 +195,10 @@ vec4 March()
       {
         float at = float(i + k);
         sampleUnits = CountSlices(at) * unitsOfSlice;
-        GatherSample(PlaceAt(at));
+        GatherSample(at);
       }
     }
+    EndTurn();
     i = end;
 #if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_COMPOSITE
     if (picture.a > TEXTURE_SLICE_OPAQUE)

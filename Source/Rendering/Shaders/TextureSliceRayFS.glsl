@@ -34,7 +34,9 @@ vec2 raySpan = vec2(0.0);
 // The pixel of the window.
 ivec2 windowPixel = ivec2(0);
 
-// Where the volume is sampled, as texture coordinates, and how many unit distances the sample stands for.
+// Where the volume is sampled, on the ray and as texture coordinates, and how many unit distances the sample
+// stands for.
+float sampleAt = 0.0;
 vec3 textureCoordinate = vec3(0.0);
 float sampleUnits = 0.0;
 
@@ -47,8 +49,6 @@ float sampleUnits = 0.0;
 uniform int peelInFront;
 
 const vec2 nothing = vec2(3.0, -3.0);
-const float nearest = -2.0;
-const float farthest = 2.0;
 
 vec2 FetchPeel(sampler2D depths)
 {
@@ -69,36 +69,26 @@ uniform sampler2D outerDepthTex;
 // The geometry to be peeled next.
 uniform sampler2D innerDepthTex;
 
+vec2 PeelRange()
+{
+  vec2 outer = FetchPeel(outerDepthTex);
+  vec2 inner = FetchPeel(innerDepthTex);
 #if TEXTURE_SLICE_PEEL == TEXTURE_SLICE_PEEL_OUTSIDE
-vec2 PeelRange()
-{
-  vec2 outer = FetchPeel(outerDepthTex);
-  vec2 inner = FetchPeel(innerDepthTex);
-  bool translucent = inner.x != -1.0;
-  float opaqueDepth = outer.y < 0.0 ? farthest : outer.y;
-  if (peelInFront != 0)
-  {
-    return translucent ? vec2(nearest, -inner.x) : nothing;
-  }
-  return vec2(translucent ? inner.y : nearest, opaqueDepth);
-}
+  outer = vec2(2.0, outer.y < 0.0 ? 2.0 : outer.y); // nothing was peeled: from the eye on
+  bool wholeInFront = false;
 #else
-vec2 PeelRange()
-{
-  vec2 outer = FetchPeel(outerDepthTex);
-  vec2 inner = FetchPeel(innerDepthTex);
+  bool wholeInFront = true;
   if (outer.x == -1.0)
   {
     return nothing;
   }
-  bool last = inner.x == -1.0;
-  if (peelInFront != 0)
-  {
-    return vec2(-outer.x, last ? outer.y : -inner.x);
-  }
-  return last ? nothing : vec2(inner.y, outer.y);
-}
 #endif
+  if (inner.x == -1.0) // nothing is left to be peeled
+  {
+    return (peelInFront != 0) == wholeInFront ? vec2(-outer.x, outer.y) : nothing;
+  }
+  return peelInFront != 0 ? vec2(-outer.x, -inner.x) : vec2(inner.y, outer.y);
+}
 #endif
 #endif
 

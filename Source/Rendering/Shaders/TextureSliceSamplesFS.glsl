@@ -73,7 +73,7 @@ bool Gather(vec4 scalars, out vec4 gathered)
   int label = FetchLabel(textureCoordinate);
   if (label > 0)
   {
-    vec4 labelled = StepColor(LookUpLabel(scalars.x, label - 1), scalars, 0, label);
+    vec4 labelled = StepColor(LookUp(scalars.x, FindRow(0, label)), scalars, 0, label);
     color = mix(color, labelled, labelWeight);
   }
 #endif
@@ -182,6 +182,32 @@ vec4 FindPicture()
 {
   return picture.a > 0.0 ? picture : vec4(PlaceAt(raySpan.x), 0.5);
 }
+#elif defined TEXTURE_SLICE_LIT_TURNS
+// Formulas T9, R3. Samples of one turn of the loop are lit together, at the mean of their places: light
+// changes little from one to the next, and looking it up costs as much as looking up a scalar.
+vec3 unlit = vec3(0.0);
+// The sum of their places times the opacities that they add, and that of these opacities.
+vec2 ofTurn = vec2(0.0);
+
+void Add(vec4 gathered)
+{
+  gathered *= 1.0 - picture.a;
+  picture.a += gathered.a;
+  unlit += gathered.rgb;
+  ofTurn += gathered.a * vec2(sampleAt, 1.0);
+}
+
+void EndTurn()
+{
+  picture.rgb += unlit * FetchLight(PlaceAt(ofTurn.x / max(ofTurn.y, 1e-30)));
+  unlit = vec3(0.0);
+  ofTurn = vec2(0.0);
+}
+
+vec4 FindPicture()
+{
+  return picture;
+}
 #else
 // Formulas T9, R3: associated colour, front to back.
 void Add(vec4 gathered)
@@ -192,6 +218,12 @@ void Add(vec4 gathered)
 vec4 FindPicture()
 {
   return picture;
+}
+#endif
+
+#if !defined TEXTURE_SLICE_LIT_TURNS || defined TEXTURE_SLICE_PLACES
+void EndTurn()
+{
 }
 #endif
 
@@ -215,12 +247,13 @@ bool IsBehindContour(float scalar)
 #endif
 
 #if !defined TEXTURE_SLICE_SLABS && TEXTURE_SLICE_BLEND != TEXTURE_SLICE_ISOSURFACE
-void GatherSample(vec3 place)
+void GatherSample(float at)
 {
-  textureCoordinate = place;
+  sampleAt = at;
+  textureCoordinate = PlaceAt(at);
   vec4 scalars;
   vec4 gathered;
-  if (!IsLeft(place) || !FetchScalars(place, scalars))
+  if (!IsLeft(textureCoordinate) || !FetchScalars(textureCoordinate, scalars))
   {
     return;
   }

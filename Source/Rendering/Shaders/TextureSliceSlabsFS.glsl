@@ -2,7 +2,7 @@
 // Pre-integrated classification (Formulas L1). A piece of the ray is divided into slabs with samples at their
 // ends. Along a slab, the scalar is linear from its front to its middle, and from there to its back.
 
-// For each set of functions, the integrals over the scalars from 0 on: colour times optical depth of
+// For each set of functions, and each label, the integrals over the scalars from 0 on: colour times optical depth of
 // a unit distance, and that depth; the integrals are counted in entries.
 uniform TEXTURE_SLICE_INTEGRAL_TABLE integralTable;
 // The number of the last entry, that of the scalar 1.
@@ -43,14 +43,16 @@ float FindVisibleShare(SlabEnd front, SlabEnd back)
 #endif
 }
 
+#define ENDS (TEXTURE_SLICE_SLABS + 1)
+
 // A hidden end has the scalars of a visible end beside it.
-void FillHiddenEnds(inout SlabEnd ends[TEXTURE_SLICE_SLABS + 1])
+void FillHiddenEnds(inout SlabEnd ends[ENDS])
 {
 #ifdef TEXTURE_SLICE_HIDING
-  for (int i = 0; i <= TEXTURE_SLICE_SLABS; ++i)
+  for (int i = 0; i < ENDS; ++i)
   {
     int before = max(i - 1, 0);
-    int after = min(i + 1, TEXTURE_SLICE_SLABS);
+    int after = min(i + 1, ENDS - 1);
     if (ends[i].visible < 0.0)
     {
       ends[i].scalars = ends[before].visible < 0.0 ? ends[after].scalars : ends[before].scalars;
@@ -82,7 +84,7 @@ vec4 LimitBend(vec4 a, vec4 b)
 }
 
 // The middle of a slab is where the parabola has it that its ends and the next ones lie on.
-void FindPoints(SlabEnd ends[TEXTURE_SLICE_SLABS + 1], out vec4 points[POINTS])
+void FindPoints(SlabEnd ends[ENDS], out vec4 points[POINTS])
 {
   vec4 bends[TEXTURE_SLICE_SLABS - 1];
   for (int i = 0; i < TEXTURE_SLICE_SLABS - 1; ++i)
@@ -101,16 +103,16 @@ void FindPoints(SlabEnd ends[TEXTURE_SLICE_SLABS + 1], out vec4 points[POINTS])
 
 // Integrals are read at whole entries, because interpolating two of them costs a software renderer
 // twice as much.
-float FindEntry(float scalar, float lastEntry)
+float FindEntry(float scalar)
 {
-  return floor(clamp(scalar * lastEntry, 0.0, lastEntry - 1.0) + 0.5);
+  return floor(clamp(scalar * lastIntegral, 0.0, lastIntegral - 1.0) + 0.5);
 }
 
 // Where two scalars in a row have the same entry, the second one has the entry on its other side: for
 // equal scalars the mean between the two entries about them is the limit.
-float FindNextEntry(float before, float scalar, float lastEntry)
+float FindNextEntry(float before, float scalar)
 {
-  float place = clamp(scalar * lastEntry, 0.0, lastEntry - 1.0);
+  float place = clamp(scalar * lastIntegral, 0.0, lastIntegral - 1.0);
   float entry = floor(place + 0.5);
   float otherSide = place >= entry ? entry + 1.0 : entry - 1.0;
   return entry == before ? otherSide : entry;
@@ -135,8 +137,24 @@ vec4 AddPart(vec4 color, vec4 front, vec4 back, float scale)
   return color + opacity * vec4(clamp(sum.rgb / max(sum.a, 1e-30), 0.0, 1.0), 1.0);
 }
 
-// Associated colours of the slabs, so many unit distances thick, by one component's functions. A slab
-// has two parts, because its front hides some of its back.
+// The associated colour of a slab, so many unit distances thick, by the functions of one row. A slab has two
+// parts, because its front hides some of its back. entry, integrals: at its front, then at its back.
+vec4 IntegrateSlab(
+  float middle, float back, float units, int row, inout float entry, inout vec4 integrals)
+{
+  vec4 color = vec4(0.0);
+  for (int part = 0; part < 2; ++part)
+  {
+    float next = FindNextEntry(entry, part == 0 ? middle : back);
+    vec4 behind = FetchIntegrals(integralTable, next, row);
+    color = AddPart(color, integrals, behind, 0.5 * units / abs(next - entry));
+    entry = next;
+    integrals = behind;
+  }
+  return color;
+}
+
+// The associated colours of the slabs by one component's functions.
 void IntegrateComponent(
   vec4 points[POINTS], float units[TEXTURE_SLICE_SLABS], int row, out vec4 colors[TEXTURE_SLICE_SLABS])
 {
@@ -147,19 +165,12 @@ void IntegrateComponent(
   const int component = TEXTURE_SLICE_COMPONENTS - 1;
   const float ratio = 1.0;
 #endif
-  float last = FindEntry(points[0][component], lastIntegral);
-  vec4 front = FetchIntegrals(integralTable, last, row);
+  float entry = FindEntry(points[0][component]);
+  vec4 integrals = FetchIntegrals(integralTable, entry, row);
   for (int i = 0; i < TEXTURE_SLICE_SLABS; ++i)
   {
-    colors[i] = vec4(0.0);
-    for (int k = 1; k <= 2; ++k)
-    {
-      float entry = FindNextEntry(last, points[2 * i + k][component], lastIntegral);
-      vec4 back = FetchIntegrals(integralTable, entry, row);
-      colors[i] = AddPart(colors[i], front, back, 0.5 * ratio * units[i] / abs(entry - last));
-      last = entry;
-      front = back;
-    }
+    colors[i] = IntegrateSlab(points[2 * i + 1][component], points[2 * i + 2][component], ratio * units[i],
+      row, entry, integrals);
 #if TEXTURE_SLICE_FUNCTIONS == 1 && TEXTURE_SLICE_COMPONENTS == 2
     colors[i].rgb = colors[i].a * LookUp(points[2 * i + 1].x, 0).rgb;
 #elif TEXTURE_SLICE_FUNCTIONS == 1 && TEXTURE_SLICE_COMPONENTS > 2
@@ -173,7 +184,8 @@ struct Slab
 {
   vec4 colors[TEXTURE_SLICE_FUNCTIONS]; // associated
   vec4 scalars;                         // in the middle
-  vec3 place;                           // of the middle, as texture coordinates
+  float at;                             // of the middle, on the ray
+  vec3 place;                           // and as texture coordinates
 #ifdef TEXTURE_SLICE_LABELS
   vec4 labelled; // associated colour by the label's functions
   int label;
@@ -181,29 +193,14 @@ struct Slab
 };
 
 #ifdef TEXTURE_SLICE_LABELS
-uniform TEXTURE_SLICE_INTEGRAL_TABLE labelIntegralTable;
-uniform float lastLabelIntegral;
-
 // The same by the functions of the label in the slab's middle. scalars: front, middle and back.
 void AddLabel(inout Slab slab, vec3 scalars, float units)
 {
-  slab.labelled = vec4(0.0);
   slab.label = FetchLabel(slab.place);
-  if (slab.label == 0)
-  {
-    return;
-  }
-  int row = slab.label - 1;
-  float last = FindEntry(scalars.x, lastLabelIntegral);
-  vec4 front = FetchIntegrals(labelIntegralTable, last, row);
-  for (int k = 1; k <= 2; ++k)
-  {
-    float entry = FindNextEntry(last, scalars[k], lastLabelIntegral);
-    vec4 back = FetchIntegrals(labelIntegralTable, entry, row);
-    slab.labelled = AddPart(slab.labelled, front, back, 0.5 * units / abs(entry - last));
-    last = entry;
-    front = back;
-  }
+  int row = FindRow(0, slab.label);
+  float entry = FindEntry(scalars.x);
+  vec4 integrals = FetchIntegrals(integralTable, entry, row);
+  slab.labelled = IntegrateSlab(scalars.y, scalars.z, units, row, entry, integrals);
 }
 #endif
 
@@ -217,8 +214,8 @@ vec4 FinishColor(vec4 color, vec4 scalars, int component, int label)
 // The associated colour of a slab.
 vec4 FinishSlab(Slab slab)
 {
-#if !defined TEXTURE_SLICE_GRADIENT && !defined TEXTURE_SLICE_SHADOWS && \
-  !defined TEXTURE_SLICE_LABELS && TEXTURE_SLICE_FUNCTIONS == 1
+  sampleAt = slab.at;
+#if !defined TEXTURE_SLICE_GRADIENT && !defined TEXTURE_SLICE_LABELS && TEXTURE_SLICE_FUNCTIONS == 1
   return slab.colors[0];
 #else
   textureCoordinate = slab.place;
@@ -248,24 +245,18 @@ vec4 FinishSlab(Slab slab)
 uniform int slabsOfPiece;
 #endif
 
-// The end of the piece in front.
-SlabEnd lastEnd;
-
-// Divides a piece of the ray into slabs, the nearest first.
-void GatherPiece(float front, float back, bool begins)
+// Divides a piece of the ray into slabs, the nearest first. frontEnd: at the front of the piece, then at its
+// back.
+void GatherPiece(float front, float back, inout SlabEnd frontEnd)
 {
   float thickness = (back - front) / float(TEXTURE_SLICE_SLABS);
-  SlabEnd ends[TEXTURE_SLICE_SLABS + 1];
-  if (begins)
-  {
-    lastEnd = FetchEnd(PlaceAt(front));
-  }
-  ends[0] = lastEnd;
+  SlabEnd ends[ENDS];
+  ends[0] = frontEnd;
   for (int i = 1; i <= TEXTURE_SLICE_SLABS; ++i)
   {
     ends[i] = FetchEnd(PlaceAt(front + float(i) * thickness));
   }
-  lastEnd = ends[TEXTURE_SLICE_SLABS];
+  frontEnd = ends[TEXTURE_SLICE_SLABS];
   FillHiddenEnds(ends);
   vec4 points[POINTS];
   FindPoints(ends, points);
@@ -273,7 +264,8 @@ void GatherPiece(float front, float back, bool begins)
   float units[TEXTURE_SLICE_SLABS];
   for (int i = 0; i < TEXTURE_SLICE_SLABS; ++i)
   {
-    slabs[i].place = PlaceAt(front + (float(i) + 0.5) * thickness);
+    slabs[i].at = front + (float(i) + 0.5) * thickness;
+    slabs[i].place = PlaceAt(slabs[i].at);
     slabs[i].scalars = points[2 * i + 1];
     units[i] = !IsLeft(slabs[i].place)
       ? 0.0
@@ -299,6 +291,10 @@ void GatherPiece(float front, float back, bool begins)
   for (int i = 0; i < count; ++i)
   {
     Add(FinishSlab(slabs[i]));
+    if (i != 1)
+    {
+      EndTurn();
+    }
   }
 }
 #endif

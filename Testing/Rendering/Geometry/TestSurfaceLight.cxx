@@ -140,7 +140,7 @@ TEST_F(SurfaceLight, WhatIsHiddenLetsLightThrough)
   this->Source.Mask = mask.data();
   expectHalf("a mask");
   this->Source.Mask = nullptr;
-  this->Source.Left = vtkTextureSliceLightCells::Cut{{0.5, 1, 0, 1, 0, 1}};
+  this->Source.Left = vtkTextureSliceCut{{0.5, 1, 0, 1, 0, 1}};
   expectHalf("a cut");
   this->Source.Left = {};
   vtkNew<vtkUnsignedCharArray> ghosts;
