@@ -234,6 +234,33 @@ TEST_F(InterruptedGrid, OtherOptionsOrFilesBeginAnew)
   EXPECT_FALSE(Contents(changed) == Contents(output));
 }
 
+// One file is another one after the kill, and one is new: the volumes that neither takes part in
+// stay as they were written.
+TEST_F(InterruptedGrid, AfterFilesChangedTheirStepsAloneAreMadeAgain)
+{
+  const fs::path in = folder.Path() / "in";
+  fs::rename(in / "e3", folder.Path() / "e3"); // 18:15
+  const fs::path output = folder.Path() / "volumes";
+  EXPECT_EQ(this->InterruptAt(36, output, "60x60x10").status, -1);
+  const auto made = Volumes(output);
+  ASSERT_GE(made.size(), 30U);
+  fs::rename(folder.Path() / "e3", in / "e3");
+  WriteLevel2(in / "e0", {ConstantVolume({"KEAX", Position{38.81, -94.264, 333.0}},
+                           *ParseIso8601("2006-03-12T18:00:00Z"), 25.0)});
+  const ProgramRun run = RunNexrad3d(this->Command(output, "60x60x10"));
+  ASSERT_EQ(run.status, 0) << run.errors;
+  const fs::path fresh = folder.Path() / "fresh";
+  ASSERT_EQ(RunNexrad3d(this->Command(fresh, "60x60x10")).status, 0);
+  EXPECT_TRUE(Contents(output) == Contents(fresh));
+  const auto now = Volumes(output);
+  for (const auto& [name, entry] : made)
+  {
+    const bool changed = name <= "20060312T180500Z.nxv" ||
+                         (name >= "20060312T181000Z.nxv" && name <= "20060312T182000Z.nxv");
+    EXPECT_EQ(now.at(name) != entry, changed) << name;
+  }
+}
+
 TEST_F(InterruptedGrid, CtrlCSaysHowToGoOn)
 {
   const fs::path output = folder.Path() / "volumes";

@@ -80,18 +80,6 @@ void CheckFormat(const GridJob& job)
   }
 }
 
-// All options that decide what the volumes contain.
-std::string RecipeOf(
-  const MergeOptions& options, const std::string& format, const std::string& code)
-{
-  std::string recipe = "nexrad3d " NEXRAD_VERSION "\n--format " + format + "\n--code " + code;
-  for (const OptionText& option : ToTexts(MergeSettings(), options))
-  {
-    recipe += '\n' + option.name + ' ' + option.value;
-  }
-  return recipe;
-}
-
 // The command, but for the names of its files: what a volume's origin is, for other programs.
 std::string HistoryOf(const CLI::App& command)
 {
@@ -212,9 +200,15 @@ void AddGridCommand(CLI::App& program, CommandAction& action)
       options->job.options.beam.ancillary |= options->job.perRadar;
       const auto written = [command](const char* name)
       { return command->count(name) > 0 ? command->get_option(name)->as<std::string>() : ""; };
-      options->job.recipe = RecipeOf(options->job.options, written("--format"), written("--code"));
-      options->job.recipe += options->job.oneFile ? "\n--one-file" : "";
-      options->job.recipe += options->job.perRadar ? "\n--per-radar" : "";
+      options->job.recipe =
+        RecipeOf("nexrad3d " NEXRAD_VERSION " grid\n--format " + written("--format") + "\n--code " +
+                   written("--code") + (options->job.oneFile ? "\n--one-file" : "") +
+                   (options->job.perRadar ? "\n--per-radar" : ""),
+          options->job.options);
+      for (const std::filesystem::path& input : options->job.inputs)
+      {
+        options->job.recipe += '\n' + input.string();
+      }
       options->job.written.history = HistoryOf(*command);
       action = [options] { return RunGrid(*options); };
     });

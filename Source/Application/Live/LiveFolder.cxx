@@ -180,12 +180,12 @@ void LiveFolder::RemoveStep(Time time) const
 
 void LiveFolder::WriteIndex(const std::vector<Time>& steps) const
 {
-  NxvSeries index;
+  std::vector<std::string> files;
   for (const Time time : steps)
   {
-    index.emplace_back(VolumeFileName(time).string(), ToSeconds(time));
+    files.push_back(VolumeFileName(time).string());
   }
-  WriteNxvSeries(this->Index(), index);
+  WriteVolumeIndex(this->Index(), files, steps);
 }
 
 void LiveFolder::WriteState(const LiveState& state) const

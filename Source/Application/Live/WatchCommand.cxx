@@ -102,17 +102,6 @@ std::vector<std::string> DrawingWords(const std::string& text)
   return drawing;
 }
 
-// All options that decide what the volumes contain.
-std::string RecipeOf(const MergeOptions& options)
-{
-  std::string recipe = "nexrad3d watch";
-  for (const OptionText& option : ToTexts(MergeSettings(), options))
-  {
-    recipe += '\n' + option.name + ' ' + option.value;
-  }
-  return recipe;
-}
-
 int RunWatch(const WatchOptions& options)
 {
   WatchStopSignals();
@@ -177,7 +166,7 @@ void AddWatchCommand(CLI::App& program, CommandAction& action)
     [options, &action, command]
     {
       WatchJob& given = options->job;
-      given.recipe = RecipeOf(given.options);
+      given.recipe = RecipeOf("nexrad3d watch", given.options);
       given.intake.idle = given.stale;
       given.intake.longestPause = std::max(LongestPause, given.late);
       given.intake.level2.siteName = given.options.siteName;

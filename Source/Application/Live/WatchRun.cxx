@@ -276,7 +276,7 @@ void WatchRun::Use(std::vector<IntakeChange> changes)
 // Of volumes that lack their end, those of which it is known why.
 void WatchRun::TellEnds()
 {
-  const AwaitedEnds::Decided decided = ends.TakeDecided(this->SilentRadars());
+  const AwaitedEnds::Decided decided = ends.TakeDecided(series.Known(), this->SilentRadars());
   this->TellProblems(LinesOf(decided.problems));
   for (const std::string& note : decided.notes)
   {

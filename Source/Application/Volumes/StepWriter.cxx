@@ -2,6 +2,7 @@
 #include "Volumes/StepWriter.h"
 
 #include "nexrad/Grid/GridText.h"
+#include "nexrad/Merging/MergeSettings.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradNetCDFOutput.h"
 
@@ -83,6 +84,27 @@ void RequireSameGrid(
                   "; remove the older volumes, or name another folder (-o)");
     }
   }
+}
+
+std::string RecipeOf(const std::string& command, const MergeOptions& options)
+{
+  std::string recipe = command;
+  for (const OptionText& option : ToTexts(MergeSettings(), options))
+  {
+    recipe += '\n' + option.name + ' ' + option.value;
+  }
+  return recipe;
+}
+
+void WriteVolumeIndex(
+  const fs::path& path, const std::vector<std::string>& files, const std::vector<Time>& times)
+{
+  NxvSeries index;
+  for (std::size_t i = 0; i < times.size(); ++i)
+  {
+    index.emplace_back(files[i], ToSeconds(times[i]));
+  }
+  WriteNxvSeries(path, index);
 }
 
 VolumeUse UseOfWriting(const VolumeFiles& files, const MergeOptions& options)

@@ -11,6 +11,7 @@
 #include <future>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace nexrad::application
 {
@@ -42,6 +43,14 @@ std::filesystem::path VolumeFileName(
 /// series. Files that cannot be read are passed over; so is a folder that does not exist.
 void RequireSameGrid(const std::filesystem::path& folder, const std::set<std::string>& own,
   const GridSpecification& grid);
+
+/// All that decides what the volumes of a command contain, beside its inputs, as text: the command,
+/// a line for each further word of it, and the settings.
+std::string RecipeOf(const std::string& command, const MergeOptions& options);
+
+/// Writes the index of volumes in its folder, by their names.
+void WriteVolumeIndex(const std::filesystem::path& path, const std::vector<std::string>& files,
+  const std::vector<Time>& times);
 
 /// What becomes of the merged volumes that StepWriter writes: the one before, and what is made of
 /// it for its file.

@@ -8,12 +8,15 @@
 #include <nlohmann/json.hpp>
 
 #include <fcntl.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <system_error>
+#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -23,7 +26,7 @@ namespace
 {
 
 constexpr const char* JournalName = "run.json";
-constexpr const char* NoteName = "note-"; // and the rank of a process
+constexpr const char* RecordsName = "records";
 
 void Rename(const fs::path& from, const fs::path& to)
 {
@@ -51,11 +54,6 @@ std::set<std::string> FilesIn(const fs::path& folder)
   return names;
 }
 
-bool IsNote(const std::string& name)
-{
-  return name.rfind(NoteName, 0) == 0;
-}
-
 // Of the names in the hidden folder, those of files that will get the same name in the folder.
 std::set<std::string> WaitingIn(const fs::path& hidden)
 {
@@ -63,7 +61,7 @@ std::set<std::string> WaitingIn(const fs::path& hidden)
   for (const std::string& name : FilesIn(hidden))
   {
     if (name.front() != '.' && name != JournalName && name != UnfinishedRun::LockName &&
-        !IsNote(name))
+        name != RecordsName)
     {
       waiting.insert(name);
     }
@@ -254,34 +252,69 @@ void UnfinishedRun::Add(const std::string& name)
   }
 }
 
-void UnfinishedRun::Note(const std::string& text)
+void UnfinishedRun::Keep(const std::string& bytes) const
 {
-  WriteFileAtomically(
-    hidden / (NoteName + std::to_string(processes.Rank())), text.data(), text.size());
+  if (!canGoOn)
+  {
+    return;
+  }
+  const std::uint64_t size = bytes.size();
+  const std::string record = std::string(reinterpret_cast<const char*>(&size), sizeof size) + bytes;
+  const fs::path path = hidden / RecordsName;
+  const FileDescriptor file(
+    open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC, 0666));
+  // At once, so that records of several processes do not mix.
+  if (!file.IsOpen() ||
+      write(file.Number(), record.data(), record.size()) != static_cast<ssize_t>(record.size()))
+  {
+    throw Error(path.string() + ": cannot be written: " + std::strerror(errno));
+  }
 }
 
-std::vector<std::string> UnfinishedRun::Notes() const
+std::vector<std::string> UnfinishedRun::Kept() const
 {
-  std::vector<std::string> notes;
-  for (const std::string& name : FilesIn(hidden))
+  std::ifstream file(hidden / RecordsName, std::ios::binary);
+  const std::string all{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  std::vector<std::string> records;
+  std::uint64_t size = 0;
+  for (std::size_t at = 0; all.size() - at > sizeof size; at += size)
   {
-    if (IsNote(name))
+    std::memcpy(&size, all.data() + at, sizeof size);
+    at += sizeof size;
+    size = std::min<std::uint64_t>(size, all.size() - at);
+    records.push_back(all.substr(at, size));
+  }
+  return records;
+}
+
+void UnfinishedRun::Remove(const std::string& name)
+{
+  if (this->Has(name))
+  {
+    std::error_code ignored;
+    fs::remove(this->PathOf(name), ignored);
+    written.erase(name);
+  }
+}
+
+void UnfinishedRun::KeepOnly(const std::set<std::string>& names)
+{
+  std::error_code ignored;
+  for (const std::string& name : WaitingIn(hidden))
+  {
+    if (names.count(name) == 0)
     {
-      std::ifstream file(hidden / name, std::ios::binary);
-      notes.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+      fs::remove(hidden / name, ignored);
     }
   }
-  return notes;
 }
 
 void UnfinishedRun::Discard()
 {
-  std::error_code ignored;
-  for (const std::string& name : written)
+  for (const std::string& name : std::set<std::string>(written))
   {
-    fs::remove(this->PathOf(name), ignored);
+    this->Remove(name);
   }
-  written.clear();
 }
 
 void UnfinishedRun::End(const std::function<void()>& last)

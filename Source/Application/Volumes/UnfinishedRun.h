@@ -16,7 +16,7 @@ namespace nexrad::application
 
 /// A run that writes files into a folder, from its first file to its end. It keeps a hidden folder
 /// there, ".grid.part", with what it was asked for. A run that was interrupted leaves it behind;
-/// the next one with the same recipe takes the files that are there, and one with another recipe
+/// the next one with the same recipe has the files that are there, and one with another recipe
 /// begins anew.
 ///
 /// A file appears complete under its name as soon as it is written, unless the folder had a file of
@@ -55,12 +55,17 @@ public:
   /// The file was written at its place. Throws Error when it cannot be given its name.
   void Add(const std::string& name);
 
-  /// Keeps a text of this process for a run that continues this one, in place of the text before.
-  /// Throws Error when it cannot be written.
-  void Note(const std::string& text);
-  /// The last texts that the processes of the interrupted run kept.
-  std::vector<std::string> Notes() const;
+  /// Adds a record to those of all processes, for a run that continues this one. It is there
+  /// however the run ends. Throws Error when it cannot be written.
+  void Keep(const std::string& bytes) const;
+  /// The records of this run and of the one that it continues, in their order. Where a disk was
+  /// full they may lack some.
+  std::vector<std::string> Kept() const;
 
+  /// Removes a file of the run, if it has it.
+  void Remove(const std::string& name);
+  /// Removes what the interrupted run left to wait under other names than these.
+  void KeepOnly(const std::set<std::string>& names);
   /// Removes the files of this process, so that the run begins anew.
   void Discard();
   /// All files are there: gives those that wait their names, calls `last` in the first process, and

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Volumes/WriteVolumes.h"
 
-#include "nexrad/Archives/StoredFiles.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Merging/SeriesMerger.h"
-#include "nexrad/Series/SharedScan.h"
+#include "nexrad/Series/Steps.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/Progress.h"
 #include "vtkNexradNetCDFOutput.h"
 #include "vtkNexradThreads.h"
 
 #include <algorithm>
-#include <chrono>
+#include <exception>
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -33,23 +33,6 @@ struct FileSeries
   std::string name;
   std::vector<std::string> files; // one for each time
 };
-
-// The recipe of a job with its input files: a file that changed makes another recipe.
-std::string RecipeOf(const GridJob& job, const std::vector<fs::path>& files)
-{
-  if (job.recipe.empty())
-  {
-    return {};
-  }
-  std::string recipe = job.recipe;
-  for (const fs::path& path : files)
-  {
-    const auto changed = ChangedAt(path).time_since_epoch().count();
-    recipe +=
-      '\n' + path.string() + ' ' + std::to_string(StoredSize(path)) + ' ' + std::to_string(changed);
-  }
-  return recipe;
-}
 
 // How the volume of each time is written. One NetCDF file of all times is made of exact volumes at
 // the end of the run: such a file that a killed run left could not be continued.
@@ -82,137 +65,146 @@ std::vector<FileSeries> SeriesOf(const GridJob& job, const SeriesMerger& merger)
   return all;
 }
 
-// Merges and writes the steps of this process that are not there.
+// Merges and writes the steps of this process that are due.
 class BlockWriter
 {
 public:
-  BlockWriter(const GridJob& theJob, SeriesMerger& theMerger, UnfinishedRun& theRun)
+  BlockWriter(const GridJob& theJob, SeriesMerger& theMerger, UnfinishedRun& theRun,
+    Steps& theSteps, const Processes& processes)
     : job(theJob)
     , merger(theMerger)
     , run(theRun)
+    , steps(theSteps)
     , all(SeriesOf(theJob, theMerger))
+    , part(processes.Part(theMerger.Times().size()))
     , writer(theRun, FilesOfTimes(theJob))
   {
   }
 
-  // Whether some radar took part in a volume.
-  bool Write(const Progress& progress, const Processes& processes)
+  void Write(const Progress& progress)
   {
-    const std::vector<Time>& times = merger.Times();
-    const auto [begin, end] = processes.Part(times.size());
+    const auto [begin, end] = part;
     if (begin < end)
     {
-      merger.EndAt(times[end - 1]);
+      merger.EndAt(merger.Times()[end - 1]);
     }
     for (std::size_t i = begin; i < end; ++i)
     {
       this->Make(i, ShareOf(progress, i - begin, end - begin));
     }
     writer.Finish();
-    return anySite;
+  }
+
+  // By what is known of the files now, which may be more than when the step was made.
+  bool HasDue() const
+  {
+    const auto first = merger.Times().begin();
+    return std::any_of(first + part.first, first + part.second,
+      [this](const Time time) { return steps.IsDue(time, merger.MadeOf(time)); });
   }
 
 private:
-  using Clock = std::chrono::steady_clock;
-
-  bool HasAll(std::size_t step)
+  bool IsThere(std::size_t step, const Progress& progress)
   {
-    return std::all_of(all.begin(), all.end(),
+    const bool written = std::all_of(all.begin(), all.end(),
       [&](const FileSeries& series) { return run.Has(series.files[step]); });
+    const Time time = merger.Times()[step];
+    if (written && !merger.Know(time, progress))
+    {
+      this->Stop();
+    }
+    return written && !steps.IsDue(time, merger.MadeOf(time));
   }
 
   void Make(std::size_t step, const Progress& progress)
   {
-    const Time time = merger.Times()[step];
-    const std::optional<std::size_t> volumes = this->HasAll(step) ? merger.Skip(time, progress)
-                                               : job.perRadar     ? this->MakeEach(time, progress)
-                                                              : this->MakeMerged(time, progress);
-    if (!volumes)
+    if (this->IsThere(step, progress))
+    {
+      return;
+    }
+    if (!(job.perRadar ? this->MakeEach(step, progress) : this->MakeMerged(step, progress)))
     {
       this->Stop();
     }
-    anySite = anySite || *volumes > 0;
-    if (Clock::now() - noted > betweenNotes)
-    {
-      this->Note();
-    }
   }
 
-  // Both return how many radars or volumes took part; nothing when asked to stop.
-  std::optional<std::size_t> MakeMerged(Time time, const Progress& progress)
+  // Both are false when asked to stop.
+  bool MakeMerged(std::size_t step, const Progress& progress)
   {
-    auto volume = merger.Merge(time, progress, {}, std::move(memory));
-    if (!volume)
+    auto volume = merger.Merge(merger.Times()[step], progress, {}, std::move(memory));
+    if (volume)
     {
-      return std::nullopt;
+      this->Begin(step);
+      memory = writer.Write(std::move(*volume));
     }
-    const std::size_t radars = volume->sites.size();
-    memory = writer.Write(std::move(*volume));
-    return radars;
+    return volume.has_value();
   }
 
-  std::optional<std::size_t> MakeEach(Time time, const Progress& progress)
+  bool MakeEach(std::size_t step, const Progress& progress)
   {
-    return merger.MergeEachRadar(
-      time, [this](GriddedVolume volume) { writer.Write(std::move(volume)); }, progress);
+    bool begun = false;
+    const auto write = [&](GriddedVolume volume)
+    {
+      if (!std::exchange(begun, true))
+      {
+        this->Begin(step);
+      }
+      writer.Write(std::move(volume));
+    };
+    return merger.MergeEachRadar(merger.Times()[step], write, progress);
+  }
+
+  // A file that is there was written after it was kept of what: whenever the run ends, a file of
+  // something else is gone.
+  void Begin(std::size_t step)
+  {
+    for (const FileSeries& series : all)
+    {
+      run.Remove(series.files[step]);
+    }
+    const Time time = merger.Times()[step];
+    steps.Make(time, merger.LastMadeOf(time));
+    Steps own;
+    own.Make(time, merger.LastMadeOf(time));
+    this->Keep(own);
   }
 
   // What the files hold, a run that continues this one need not find out again.
-  void Note()
-  {
-    if (!job.recipe.empty())
-    {
-      run.Note(PackScannedFiles(merger.KnownFiles()));
-      noted = Clock::now();
-    }
-  }
+  void Keep(const Steps& made) { run.Keep(made.Pack() + '\n' + merger.KnownFiles()); }
 
   [[noreturn]] void Stop()
   {
     writer.Finish();
-    this->Note();
+    this->Keep({});
     throw Error("stopped before all volumes were made; the same command makes the rest");
   }
-
-  static constexpr auto betweenNotes = std::chrono::seconds(5);
 
   const GridJob& job;
   SeriesMerger& merger;
   UnfinishedRun& run;
+  Steps& steps;
   const std::vector<FileSeries> all;
+  const std::pair<std::size_t, std::size_t> part; // of this process
   StepWriter writer;
-  bool anySite = false;
   GriddedVolume memory;
-  Clock::time_point noted = Clock::now();
 };
 
-// Tells the merger what the interrupted run knew of the files. What cannot be read is found out
-// again.
-void LearnFromNotes(const UnfinishedRun& run, SeriesMerger& merger)
+// What the interrupted run made, and knew of the files. What cannot be read is found out again.
+void TakeUp(const UnfinishedRun& run, SeriesMerger& merger, Steps& steps)
 {
-  for (const std::string& note : run.Notes())
+  for (const std::string& record : run.Kept())
   {
     try
     {
-      merger.LearnFiles(UnpackScannedFiles(note));
+      const std::size_t line = std::min(record.find('\n'), record.size());
+      steps.Unpack(record.substr(0, line));
+      merger.LearnFiles(record.substr(line + 1));
     }
-    catch (const Error&)
+    catch (const std::exception&)
     {
       continue;
     }
   }
-}
-
-// The index of all volumes, whichever process made them.
-void WriteIndex(
-  const fs::path& path, const std::vector<std::string>& files, const std::vector<Time>& times)
-{
-  NxvSeries index;
-  for (std::size_t i = 0; i < times.size(); ++i)
-  {
-    index.emplace_back(files[i], ToSeconds(times[i]));
-  }
-  WriteNxvSeries(path, index);
 }
 
 // Appends the volumes of all times, which wait in the run's folder, to one file in their place.
@@ -267,14 +259,14 @@ void FinishFiles(const GridJob& job, const std::vector<FileSeries>& all,
     {
       for (std::size_t i = 0; i < all.size() && !job.oneFile; ++i)
       {
-        WriteIndex(report.indices[i], all[i].files, times);
+        WriteVolumeIndex(report.indices[i], all[i].files, times);
       }
     });
 }
 
 // The rest, once all volumes are there.
-GridReport Conclude(const GridJob& job, const SeriesMerger& merger, bool anySite,
-  UnfinishedRun& run, const Processes& processes)
+GridReport Conclude(
+  const GridJob& job, const SeriesMerger& merger, UnfinishedRun& run, const Processes& processes)
 {
   const std::vector<Time>& times = merger.Times();
   const std::vector<FileSeries> all = SeriesOf(job, merger);
@@ -286,7 +278,7 @@ GridReport Conclude(const GridJob& job, const SeriesMerger& merger, bool anySite
       report.bytes += run.SizeOf(file); // as long as no process can have ended the run
     }
   }
-  if (processes.InAll(!anySite))
+  if (processes.InAll(!merger.TakesVolumes()))
   {
     run.Discard();
     throw Error("no radar has a volume within --max-gap of any time asked for, from " +
@@ -304,20 +296,16 @@ GridReport Conclude(const GridJob& job, const SeriesMerger& merger, bool anySite
   return report;
 }
 
-// Throws Error where the volumes would stand beside others of another grid.
-void RequireRoom(const GridJob& job, const SeriesMerger& merger)
+// Names of all files of a run.
+std::set<std::string> NamesOf(const GridJob& job, const SeriesMerger& merger)
 {
-  if (job.written.format != VolumeFormat::Nxv)
-  {
-    return;
-  }
-  std::set<std::string> own;
+  std::set<std::string> names;
   for (const FileSeries& series : SeriesOf(job, merger))
   {
-    own.insert(series.files.begin(), series.files.end());
-    own.insert(series.name);
+    names.insert(series.files.begin(), series.files.end());
+    names.insert(series.name);
   }
-  RequireSameGrid(job.folder, own, merger.Grid());
+  return names;
 }
 
 void RequireDone(bool done)
@@ -341,25 +329,37 @@ GridReport WriteVolumes(const GridJob& job, const Progress& progress, const Proc
   options.compareRadars = true;
   SeriesMerger merger(job.inputs, options, setup);
   RequireDone(merger.Open(ShareOf(progress, 0.0, ScanShare)));
-  processes.Together([&] { RequireRoom(job, merger); });
-  UnfinishedRun run(job.folder, RecipeOf(job, merger.Files()), processes);
-  LearnFromNotes(run, merger);
+  const std::set<std::string> names = NamesOf(job, merger);
+  processes.Together(
+    [&]
+    {
+      if (job.written.format == VolumeFormat::Nxv)
+      {
+        RequireSameGrid(job.folder, names, merger.Grid());
+      }
+    });
+  UnfinishedRun run(job.folder, job.recipe, processes);
+  Steps steps;
+  TakeUp(run, merger, steps);
+  processes.Together([&] { processes.IsFirst() ? run.KeepOnly(names) : void(); });
   if (job.oneFile)
   {
     run.HoldBack();
   }
   for (;;)
   {
-    bool anySite = false;
+    BlockWriter writer(job, merger, run, steps, processes);
     const double from = merger.IsScanned() ? ScanShare : 0.0;
-    processes.Together([&]
-      { anySite = BlockWriter(job, merger, run).Write(ShareOf(progress, from, 1.0), processes); });
-    if (merger.Confirm())
+    processes.Together([&] { writer.Write(ShareOf(progress, from, 1.0)); });
+    if (!merger.Settle())
     {
-      return Conclude(job, merger, anySite, run, processes);
+      run.Discard();
+      RequireDone(merger.Scan(ShareOf(progress, 0.0, ScanShare)));
     }
-    run.Discard();
-    RequireDone(merger.Scan(ShareOf(progress, 0.0, ScanShare)));
+    else if (processes.InAll(!writer.HasDue()))
+    {
+      return Conclude(job, merger, run, processes);
+    }
   }
 }
 

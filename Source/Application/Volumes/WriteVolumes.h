@@ -27,8 +27,8 @@ struct GridJob
   bool perRadar = false;
   bool oneFile = false; ///< of VolumeFormat::NetCDF: all times in one file, volumes.nc
   MergeOptions options;
-  /// All that decides what the volumes contain, beside the inputs, as text. A run that was
-  /// interrupted is continued by one with the same text and the same input files. Empty: never.
+  /// All that decides what the volumes contain, beside the content of the inputs, as text. A run
+  /// that was interrupted is continued by one with the same text. Empty: never.
   std::string recipe;
 };
 
@@ -54,11 +54,12 @@ struct GridReport
 /// Volumes and index that were there before are replaced only when all new ones are there, so that
 /// a run which fails changes none of them. A run that was interrupted, by an error or by the end of
 /// the process, is continued by the next one with the same recipe (UnfinishedRun): it makes the
-/// volumes that are not there. Files are decoded and volumes written while others are merged, in
-/// memory that does not grow with the number of steps; files that no step needs are not decoded.
-/// Several processes make a part of the times each, with the same files as one alone; the first
-/// writes the index when all are done, and all get the same report. Throws Error when no input
-/// holds a ray or a file cannot be written: in all processes when it fails in one.
+/// volumes that are not there, or would be made of other files now (Steps). Files are decoded and
+/// volumes written while others are merged, in memory that does not grow with the number of steps;
+/// files that no step needs are not decoded. Several processes make a part of the times each, with
+/// the same files as one alone; the first writes the index when all are done, and all get the same
+/// report. Throws Error when no input holds a ray or a file cannot be written: in all processes
+/// when it fails in one.
 GridReport WriteVolumes(
   const GridJob& job, const Progress& progress = {}, const Processes& processes = Processes());
 

@@ -3,7 +3,6 @@
 
 #include "nexrad/Series/ScannedFile.h"
 
-#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -22,12 +21,13 @@ public:
     std::vector<std::string> notes;
   };
 
-  /// Keeps what a file says of its volumes, in place of what it said before. The problem of a
-  /// missing end goes from the file to this object.
+  /// Takes the problem of a missing end from what a file says of its volumes, in place of what it
+  /// said before.
   void Keep(ScannedFile& file);
 
-  /// What is known by now. Of the radars that are `silent` no next volume is expected any more.
-  Decided TakeDecided(const std::set<std::string>& silent);
+  /// What the volumes that are known by now tell. Of the radars that are `silent` no next volume is
+  /// expected any more.
+  Decided TakeDecided(const Catalogue& known, const std::set<std::string>& silent);
 
 private:
   struct Awaited
@@ -37,11 +37,7 @@ private:
     InputProblem problem;
   };
 
-  const SeriesVolume* FindNext(const Awaited& before) const;
-  void Forget();
-
   std::vector<Awaited> awaited;
-  std::map<std::string, std::vector<SeriesVolume>> volumes; ///< by radar, of those that may follow
 };
 
 } // namespace nexrad

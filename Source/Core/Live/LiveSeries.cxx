@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Live/LiveSeries.h"
 
-#include "nexrad/Grid/GridText.h"
 #include "nexrad/Merging/MemoryNeed.h"
 #include "nexrad/Model/SiteKey.h"
 #include "nexrad/System/Error.h"
@@ -292,7 +291,7 @@ std::size_t LiveSeries::MemoryBytes() const
 
 std::string LiveSeries::InputsAt(Time time) const
 {
-  return GridText(request.grid) + known.MadeOf(time, VolumeRuleOf(options), options.Moments());
+  return MergeText(request) + known.MadeOf(time, VolumeRuleOf(options), options.Moments());
 }
 
 bool LiveSeries::IsSettled(Time time, const std::set<std::string>& silent) const

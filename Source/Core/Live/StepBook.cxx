@@ -16,30 +16,17 @@ namespace nexrad
 namespace
 {
 
-std::int64_t Number(Time time)
-{
-  return time.time_since_epoch().count();
-}
-
 nlohmann::json ToJson(const std::optional<Time>& time)
 {
-  return time ? nlohmann::json(Number(*time)) : nlohmann::json();
+  return time ? nlohmann::json(time->time_since_epoch().count()) : nlohmann::json();
 }
 
-Time TimeIn(const nlohmann::json& json)
+// A time as Steps reads it.
+std::optional<Time> TimeIn(const nlohmann::json& json)
 {
-  const bool tooLarge = json.is_number_unsigned() &&
-                        json.get<std::uint64_t>() > static_cast<std::uint64_t>(Number(LatestTime));
-  if (!json.is_number_integer() || tooLarge || json.get<std::int64_t>() < Number(EarliestTime))
-  {
-    throw Error("a time step is no time of the years 1 to 9999");
-  }
-  return Time(Duration(json.get<std::int64_t>()));
-}
-
-std::optional<Time> OptionalTimeIn(const nlohmann::json& json)
-{
-  return json.is_null() ? std::nullopt : std::optional(TimeIn(json));
+  Steps one;
+  one.Unpack(json.is_null() ? "[]" : "[[" + json.dump() + ",\"\"]]");
+  return json.is_null() ? std::nullopt : std::optional(one.Made().front());
 }
 
 } // namespace
@@ -55,7 +42,8 @@ void StepBook::Extend(Time theFirst, Time theLast)
   {
     return;
   }
-  const auto before = newest || made.empty() ? newest : std::optional(made.rbegin()->first);
+  const std::vector<Time> steps = this->Made();
+  const auto before = newest || steps.empty() ? newest : std::optional(steps.back());
   if (before && theLast - *before > LongestPause)
   {
     const Time until = theLast - rules.late - rules.step;
@@ -86,17 +74,7 @@ bool StepBook::IsClosing(Time step) const
 
 bool StepBook::IsDue(Time step, const std::string& inputs, bool settled) const
 {
-  const auto known = made.find(step);
-  if (known == made.end())
-  {
-    return true;
-  }
-  return known->second != inputs && (settled || this->IsClosing(step));
-}
-
-void StepBook::Make(Time step, const std::string& inputs)
-{
-  made[step] = inputs;
+  return made.IsDue(step, inputs) && (settled || !made.Has(step) || this->IsClosing(step));
 }
 
 void StepBook::Close()
@@ -108,43 +86,25 @@ void StepBook::Close()
       closedUntil = step;
     }
   }
-  for (auto& [time, inputs] : made)
+  if (closedUntil)
   {
-    if (closedUntil && time <= *closedUntil)
-    {
-      inputs.clear(); // never compared again
-    }
+    made.Close(*closedUntil);
   }
 }
 
 void StepBook::Drop(Time before)
 {
-  made.erase(made.begin(), made.lower_bound(before));
+  made.Drop(before);
   if (first && before > *first)
   {
     closedUntil = std::max(closedUntil.value_or(before - Duration(1)), before - Duration(1));
   }
 }
 
-std::vector<Time> StepBook::Made() const
-{
-  std::vector<Time> times;
-  for (const auto& [time, inputs] : made)
-  {
-    times.push_back(time);
-  }
-  return times;
-}
-
 std::string StepBook::Pack() const
 {
-  nlohmann::json json = {{"first", ToJson(first)}, {"closed_until", ToJson(closedUntil)},
-    {"steps", nlohmann::json::array()}};
-  for (const auto& [time, inputs] : made)
-  {
-    json["steps"].push_back({Number(time), inputs});
-  }
-  return json.dump();
+  return "{\"first\":" + ToJson(first).dump() + ",\"closed_until\":" + ToJson(closedUntil).dump() +
+         ",\"steps\":" + made.Pack() + '}';
 }
 
 void StepBook::Unpack(const std::string& text)
@@ -153,12 +113,9 @@ void StepBook::Unpack(const std::string& text)
   {
     const nlohmann::json json = nlohmann::json::parse(text);
     StepBook book(rules);
-    book.first = OptionalTimeIn(json.at("first"));
-    book.closedUntil = OptionalTimeIn(json.at("closed_until"));
-    for (const nlohmann::json& step : json.at("steps"))
-    {
-      book.made[TimeIn(step.at(0))] = step.at(1).get<std::string>();
-    }
+    book.first = TimeIn(json.at("first"));
+    book.closedUntil = TimeIn(json.at("closed_until"));
+    book.made.Unpack(json.at("steps").dump());
     *this = std::move(book);
   }
   catch (const nlohmann::json::exception&)

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Model/Time.h"
+#include "nexrad/Series/Steps.h"
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,9 +20,8 @@ struct StepRules
                                             ///< than this changes no more
 };
 
-/// The time steps of a series that grows: which of them may still change, and of what the volume of
-/// each was made. The steps are the multiples of the rules' step between the first and the newest
-/// ray, as those of `grid` are.
+/// The time steps of a series that grows, of which some may still change. They are the multiples of
+/// the rules' step between the first and the newest ray, as those of `grid` are.
 class StepBook
 {
 public:
@@ -43,17 +41,17 @@ public:
   /// when what it is made of has settled.
   bool IsDue(Time step, const std::string& inputs, bool settled) const;
   /// The volume of a step was made of this.
-  void Make(Time step, const std::string& inputs);
+  void Make(Time step, const std::string& inputs) { made.Make(step, inputs); }
   /// All steps that are closing are done with.
   void Close();
   /// Forgets steps before a time; they are not made again.
   void Drop(Time before);
   /// The volumes of all steps are gone, as of a domain that changed: those that are open are made
   /// anew.
-  void Restart() { made.clear(); }
+  void Restart() { made = Steps(); }
 
   /// Steps whose volumes were made, ascending.
-  std::vector<Time> Made() const;
+  std::vector<Time> Made() const { return made.Made(); }
   /// No step is before it may change.
   std::optional<Time> ClosedUntil() const { return closedUntil; }
   std::optional<Time> First() const { return first; }
@@ -68,8 +66,8 @@ private:
   StepRules rules;
   std::optional<Time> first;
   std::optional<Time> newest;
-  std::optional<Time> closedUntil;  ///< the steps at and before it
-  std::map<Time, std::string> made; ///< of what
+  std::optional<Time> closedUntil; ///< the steps at and before it
+  Steps made;
 };
 
 } // namespace nexrad

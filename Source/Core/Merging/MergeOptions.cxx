@@ -21,18 +21,6 @@ const char* ToString(MergeMethod method)
   return "";
 }
 
-std::optional<MergeMethod> ParseMergeMethod(std::string_view text)
-{
-  for (const MergeMethod method : {MergeMethod::Thesis, MergeMethod::Beam})
-  {
-    if (text == ToString(method))
-    {
-      return method;
-    }
-  }
-  return std::nullopt;
-}
-
 MomentOptions MomentOptionsOf(const MergeRules& rules)
 {
   MomentOptions options = rules;

@@ -13,7 +13,6 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace nexrad
@@ -28,8 +27,6 @@ enum class MergeMethod
 
 /// "thesis", "beam".
 const char* ToString(MergeMethod method);
-/// Empty when the text names no method.
-std::optional<MergeMethod> ParseMergeMethod(std::string_view text);
 
 /// How Beam interpolates between two observations of a radar.
 enum class TimeInterpolationMethod

@@ -7,10 +7,10 @@
 #include "nexrad/Thesis/ThesisGeometry.h"
 
 #include <algorithm>
+#include <atomic>
 #include <functional>
 #include <iterator>
 #include <map>
-#include <mutex>
 #include <set>
 #include <utility>
 
@@ -52,15 +52,12 @@ template <class Iterator>
 std::vector<std::pair<Site, SeriesVolume>> FindVolumes(
   Iterator begin, Iterator end, VolumeLoader& loader)
 {
-  for (Iterator file = begin; file != end; ++file)
+  std::vector<std::pair<Site, SeriesVolume>> volumes;
+  for (Iterator file = begin; file != end && volumes.empty(); ++file)
   {
-    ScannedFile scanned = loader.Scan(file->index);
-    if (!scanned.volumes.empty())
-    {
-      return std::move(scanned.volumes);
-    }
+    volumes = loader.Scan(file->index).volumes;
   }
-  return {};
+  return volumes;
 }
 
 std::vector<ReadyVolume> OfRadar(const std::vector<ReadyVolume>& volumes, const std::string& name)
@@ -77,12 +74,12 @@ SeriesOptions OneThreadAFile(SeriesOptions series)
   return series;
 }
 
-// What the volumes that some time takes have near the ground.
-LowEchoes LowEchoesAt(
-  const std::vector<Time>& times, const VolumeRule& rule, const Catalogue& catalogue)
+// What volumes have near the ground: those that some time takes, or all.
+LowEchoes LowEchoesOf(
+  const Catalogue& catalogue, const std::vector<Time>& times, const VolumeRule& rule, bool all)
 {
   std::set<std::pair<std::size_t, const SeriesVolume*>> taken; // by radar and start
-  for (const Time time : times)
+  for (const Time time : all ? std::vector<Time>() : times)
   {
     for (const auto& [moment, site, volume] : catalogue.ChosenAt(time, rule, {MomentName::REF}))
     {
@@ -90,24 +87,11 @@ LowEchoes LowEchoesAt(
     }
   }
   LowEchoes echoes;
-  for (const auto& [site, volume] : taken)
+  for (std::size_t site = 0; site < catalogue.sites.size(); ++site)
   {
-    if (volume->lowEcho)
+    for (const SeriesVolume& volume : catalogue.sites[site].volumes)
     {
-      echoes.push_back(volume->lowEcho);
-    }
-  }
-  return echoes;
-}
-
-LowEchoes AllLowEchoes(const Catalogue& catalogue)
-{
-  LowEchoes echoes;
-  for (const SiteSeries& series : catalogue.sites)
-  {
-    for (const SeriesVolume& volume : series.volumes)
-    {
-      if (volume.lowEcho)
+      if (volume.lowEcho && (all || taken.count({site, &volume}) > 0))
       {
         echoes.push_back(volume.lowEcho);
       }
@@ -117,43 +101,6 @@ LowEchoes AllLowEchoes(const Catalogue& catalogue)
 }
 
 } // namespace
-
-/// Where the radars are, and when they scanned.
-struct SeriesMerger::Extent
-{
-  std::vector<Site> sites;
-  Time first = Time::max();
-  Time last = Time::min();
-  double range = DefaultRange; ///< m, of a radar that is alone
-  std::size_t volumes = 2;     ///< 1, or more
-};
-
-/// The merges' request, whose grid becomes known while files are being decoded.
-class SeriesMerger::SharedRequest
-{
-public:
-  explicit SharedRequest(const MergeRequest& theRequest)
-    : request(theRequest)
-  {
-    request.beam.means = false; // until the grid is known; the merge makes what is missing
-  }
-
-  void Set(const MergeRequest& known)
-  {
-    const std::lock_guard<std::mutex> lock(mutex);
-    request = known;
-  }
-
-  MergeRequest Get() const
-  {
-    const std::lock_guard<std::mutex> lock(mutex);
-    return request;
-  }
-
-private:
-  mutable std::mutex mutex;
-  MergeRequest request;
-};
 
 SeriesMerger::SeriesMerger(std::vector<std::filesystem::path> theInputs,
   const MergeOptions& theOptions, MergerSetup theSetup)
@@ -196,6 +143,7 @@ void SeriesMerger::FindFiles()
     {
       SeriesOptionsOf(options); // throws for what cannot be met, before anything is read
       found = FindInputFiles(inputs);
+      known.resize(found.paths.size());
       headers = ListByHeaders(found.paths, options.siteName);
       sizes = SizesOf(found.paths, headers ? headers->size() : 1);
       const MemoryNeed need =
@@ -234,46 +182,64 @@ SeriesOptions SeriesMerger::ScanOptions() const
   return series;
 }
 
-SeriesFiles SeriesMerger::FilesByHeaders() const
+// The files stand where their rays are, as far as these are known, else where their headers say.
+SeriesFiles SeriesMerger::ListFiles() const
 {
-  return {found.paths, *headers, loader ? loader->Known() : std::vector<ScannedFile>()};
-}
-
-SeriesFiles SeriesMerger::FilesByScan() const
-{
-  SeriesFiles files{found.paths, {}, {}};
-  files.known.resize(found.paths.size());
-  for (const SiteSeries& series : scan->sites)
+  SeriesFiles files{found.paths, {}, known, scan ? *scan : CollectSeries({}, known)};
+  std::map<std::string, std::vector<TimedFile>> byHeaders;
+  for (const SiteFileList& site : headers.value_or(std::vector<SiteFileList>()))
   {
-    SiteFileList site{series.site.name, {}};
+    for (const TimedFile& file : site.files)
+    {
+      if (IsUnknown(known[file.index]))
+      {
+        files.listed.Of({site.name, {}});
+        byHeaders[site.name].push_back(file);
+      }
+    }
+  }
+  std::vector<bool> placed(known.size());
+  for (const SiteSeries& series : files.listed.sites)
+  {
+    SiteFileList site{series.site.name, std::exchange(byHeaders[series.site.name], {})};
     for (const SeriesVolume& volume : series.volumes)
     {
-      std::vector<std::pair<Site, SeriesVolume>>& known = files.known[volume.input].volumes;
-      if (known.empty())
+      if (!placed[volume.input])
       {
+        placed[volume.input] = true;
         site.files.push_back({volume.input, volume.start});
       }
-      known.emplace_back(series.site, volume);
     }
+    std::stable_sort(site.files.begin(), site.files.end(),
+      [](const TimedFile& a, const TimedFile& b) { return a.time < b.time; });
     files.sites.push_back(std::move(site));
   }
   return files;
 }
 
-void SeriesMerger::MakeLoader(SeriesFiles files)
+void SeriesMerger::MakeLoader()
 {
   LoaderWork work;
-  work.prepare = [shared = planned](const std::shared_ptr<const PolarVolume>& volume)
-  { return MakeReady(volume, shared->Get()); };
+  work.prepare = [this](const std::shared_ptr<const PolarVolume>& volume)
+  { return MakeReady(volume, *std::atomic_load(&planned)); };
   work.rule = VolumeRuleOf(request);
   decodedBefore += loader ? loader->DecodedFiles() : 0;
   follower = nullptr;
   loader = std::make_unique<VolumeLoader>(
-    std::move(files), OneThreadAFile(this->ScanOptions()), work, cache, setup.threads);
+    this->ListFiles(), OneThreadAFile(this->ScanOptions()), work, cache, setup.threads);
 }
 
-// From one file of each site or two. Empty when a site has none that can be used.
-std::optional<SeriesMerger::Extent> SeriesMerger::FindExtent()
+// Until the grid is known, volumes are made ready without means; the merge makes these.
+void SeriesMerger::PlanRequest(bool hasGrid)
+{
+  auto next = std::make_shared<MergeRequest>(request);
+  next->beam.means = next->beam.means && hasGrid;
+  std::atomic_store(&planned, std::shared_ptr<const MergeRequest>(std::move(next)));
+}
+
+// Decodes the first file of each site, and the last, for the first and the last ray. Empty when a
+// site has none that can be used.
+std::optional<TimeSpan> SeriesMerger::FindEnds()
 {
   const bool needsLast = setup.anyOrder || !options.end || options.time;
   for (const SiteFileList& site : *headers)
@@ -284,36 +250,28 @@ std::optional<SeriesMerger::Extent> SeriesMerger::FindExtent()
       loader->Expect(site.files.back().index);
     }
   }
-  Extent extent;
-  for (const SiteFileList& site : *headers)
+  TimeSpan ends = {Time::max(), Time::min()};
+  for (const auto& [name, files] : *headers)
   {
-    // A scan takes the position that the first of the inputs gives.
-    std::vector<TimedFile> asGiven = site.files;
+    // The radar's position is what the first of the inputs gives.
+    std::vector<TimedFile> asGiven = files;
     std::sort(asGiven.begin(), asGiven.end(),
       [](const TimedFile& a, const TimedFile& b) { return a.index < b.index; });
-    const auto known = FindVolumes(asGiven.begin(), asGiven.end(), *loader);
-    if (known.empty())
+    if (FindVolumes(asGiven.begin(), asGiven.end(), *loader).empty())
     {
       return std::nullopt;
     }
-    extent.sites.push_back(known.front().first);
-    const auto earliest = FindVolumes(site.files.begin(), site.files.end(), *loader);
-    extent.range = RangeOf(earliest.front().first, earliest.front().second);
-    for (const auto& [of, volume] : earliest)
+    for (const auto& [site, volume] : FindVolumes(files.begin(), files.end(), *loader))
     {
-      extent.first = std::min(extent.first, volume.start);
+      ends.first = std::min(ends.first, volume.start);
     }
-    if (needsLast)
+    for (const auto& [site, volume] :
+      FindVolumes(needsLast ? files.rbegin() : files.rend(), files.rend(), *loader))
     {
-      for (const auto& [of, volume] : FindVolumes(site.files.rbegin(), site.files.rend(), *loader))
-      {
-        extent.last = std::max(extent.last, volume.end);
-      }
+      ends.last = std::max(ends.last, volume.end);
     }
   }
-  const bool alone = headers->size() == 1 && headers->front().files.size() == 1;
-  extent.volumes = alone ? loader->Scan(headers->front().files.front().index).volumes.size() : 2;
-  return extent;
+  return ends;
 }
 
 // False when the rays of these files say otherwise than the headers; then all files must be
@@ -329,33 +287,35 @@ bool SeriesMerger::OpenByHeaders()
     return false; // all volumes tell the biases
   }
   request = MergeRequestOf(options, setup.loop);
-  planned = std::make_shared<SharedRequest>(request);
-  this->MakeLoader(this->FilesByHeaders());
-  const std::optional<Extent> extent = this->FindExtent();
-  if (!extent || options.begin.value_or(extent->first) > options.end.value_or(extent->last) ||
-      (options.time && (*options.time < extent->first || *options.time > extent->last)))
+  this->PlanRequest(false);
+  known = loader ? loader->Known() : known;
+  this->MakeLoader();
+  const std::optional<TimeSpan> ends = this->FindEnds();
+  if (!ends || options.begin.value_or(ends->first) > options.end.value_or(ends->last) ||
+      (options.time && (*options.time < ends->first || *options.time > ends->last)))
   {
     return false;
   }
-  this->Plan(*extent);
-  times = TimeStepsOf(options, extent->first, extent->last, extent->volumes);
+  const SeriesScan decoded = CollectSeries({}, loader->Known());
+  this->Plan(decoded, *ends);
+  times = TimeStepsOf(options, ends->first, ends->last, decoded.Spans().size());
   return true;
 }
 
-void SeriesMerger::Plan(const Extent& extent)
+// By volumes among which is the first of each site.
+void SeriesMerger::Plan(const SeriesScan& decoded, const TimeSpan& ends)
 {
   sites.clear();
-  positions.clear();
-  for (const Site& site : extent.sites)
+  for (const SiteSeries& series : decoded.sites)
   {
-    sites.push_back(site.name);
-    positions.push_back(*site.position);
+    sites.push_back(series.site.name);
   }
+  positions = decoded.Positions();
   this->FindBiases();
-  request.grid = GridOf(options, positions, extent.sites.size() == 1 ? extent.range : DefaultRange);
+  request.grid = GridOf(options, positions, decoded.Range());
   this->RequireMemoryOfGrid();
-  planned->Set(request);
-  rays = {extent.first, extent.last};
+  this->PlanRequest(true);
+  rays = ends;
 }
 
 bool SeriesMerger::ScanFiles(const Progress& progress)
@@ -371,9 +331,9 @@ bool SeriesMerger::ScanFiles(const Progress& progress)
                       const std::shared_ptr<const PolarVolume>& volume) {
     cache->Offer({volume->moment, key.cycle, key.file}, volume, MemoryOf(*volume));
   };
-  const auto files =
-    ScanTogether(found.paths, setup.processes, setup.order, series, keep, progress);
-  scan = files ? std::optional(CollectSeries(found.problems, *files)) : std::nullopt;
+  auto files = ScanTogether(found.paths, setup.processes, setup.order, series, keep, progress);
+  known = files ? std::move(*files) : known;
+  scan = files ? std::optional(CollectSeries(found.problems, known)) : std::nullopt;
   return scan.has_value();
 }
 
@@ -394,17 +354,8 @@ void SeriesMerger::PlanByScan()
     throw InputError("no input holds a volume that can be used" + ExplainNothing(*scan), false);
   }
   request = MergeRequestOf(options, setup.loop);
-  planned = std::make_shared<SharedRequest>(request);
-  Extent extent;
-  for (const SiteSeries& series : scan->sites)
-  {
-    extent.sites.push_back(series.site);
-  }
-  extent.first = *scan->First();
-  extent.last = *scan->Last();
-  extent.range = scan->Range();
-  this->Plan(extent);
-  this->MakeLoader(this->FilesByScan());
+  this->Plan(*scan, {*scan->First(), *scan->Last()});
+  this->MakeLoader();
   times = TimeStepsOf(options, *scan);
 }
 
@@ -421,7 +372,7 @@ void SeriesMerger::FindBiases()
 BiasReport SeriesMerger::CompareRadars() const
 {
   return nexrad::CompareRadars(
-    scan ? AllLowEchoes(*scan) : LowEchoesAt(times, VolumeRuleOf(request), this->KnownScan()));
+    LowEchoesOf(this->KnownScan(), times, VolumeRuleOf(request), scan.has_value()));
 }
 
 std::vector<InputProblem> SeriesMerger::Problems() const
@@ -437,7 +388,7 @@ std::vector<std::string> SeriesMerger::Notes() const
 std::optional<ReasonCounts> SeriesMerger::Echo() const
 {
   std::optional<ReasonCounts> all;
-  for (const SiteSeries& series : this->Gather().sites)
+  for (const SiteSeries& series : CollectSeries({}, this->Gather()).sites)
   {
     for (const SeriesVolume& volume : series.volumes)
     {
@@ -541,12 +492,8 @@ std::optional<std::vector<ReadyVolume>> SeriesMerger::VolumesAbout(
     }
     // Grid and time steps stay as they were told: the volumes of a series have one grid, and its
     // user counts them.
-    this->MakeLoader(this->FilesByScan());
+    this->MakeLoader();
     volumes = loader->About(time, reaching, progress);
-  }
-  if (volumes && setup.anyOrder)
-  {
-    sweepless.Remember(*volumes);
   }
   return volumes;
 }
@@ -566,7 +513,7 @@ std::optional<GriddedVolume> SeriesMerger::Merge(
   return MergeMoments(*volumes, options.Moments(), request, progress, run, std::move(memory));
 }
 
-std::optional<std::size_t> SeriesMerger::MergeEachRadar(
+bool SeriesMerger::MergeEachRadar(
   Time time, const std::function<void(GriddedVolume)>& take, const Progress& progress)
 {
   request.time = time;
@@ -574,19 +521,17 @@ std::optional<std::size_t> SeriesMerger::MergeEachRadar(
   const std::optional<std::vector<ReadyVolume>> volumes = this->VolumesAbout(time, {}, progress);
   if (!volumes)
   {
-    return std::nullopt;
+    return false;
   }
   radarRuns.resize(sites.size());
-  std::size_t present = 0;
   for (std::size_t i = 0; i < sites.size(); ++i)
   {
     const std::vector<ReadyVolume> own = OfRadar(*volumes, sites[i]);
-    present += own.empty() ? 0 : 1;
     std::optional<GriddedVolume> merged = MergeMoments(
       own, options.Moments(), request, ShareOf(progress, i, sites.size()), radarRuns[i], {});
     if (!merged)
     {
-      return std::nullopt;
+      return false;
     }
     merged->sites = {sites[i]};
     merged->sitePositions = {positions[i]};
@@ -599,49 +544,78 @@ std::optional<std::size_t> SeriesMerger::MergeEachRadar(
     }
     take(std::move(*merged));
   }
-  return present;
+  return true;
 }
 
-std::optional<std::size_t> SeriesMerger::Skip(Time time, const Progress& progress)
+bool SeriesMerger::Know(Time time, const Progress& progress)
 {
-  if (const auto count = loader->CountAbout(time))
-  {
-    return count;
-  }
-  const auto volumes = loader->About(time, {}, progress);
-  return volumes ? std::optional(volumes->size()) : std::nullopt;
+  return loader->Know(time, progress);
 }
 
-void SeriesMerger::LearnFiles(const std::vector<ScannedFile>& files)
+std::string SeriesMerger::MadeOf(Time time) const
 {
-  if (files.size() != found.paths.size())
+  return MergeText(request) + loader->MadeOf(time);
+}
+
+std::string SeriesMerger::LastMadeOf(Time time) const
+{
+  return MergeText(request) + loader->Made().at(time);
+}
+
+bool SeriesMerger::TakesVolumes() const
+{
+  return std::any_of(
+    times.begin(), times.end(), [this](const Time time) { return !loader->MadeOf(time).empty(); });
+}
+
+std::string SeriesMerger::KnownFiles()
+{
+  std::vector<ScannedFile> fresh;
+  for (ScannedFile& file : loader->Known())
   {
-    throw Error("these are descriptions of " + std::to_string(files.size()) + " files, not of " +
-                std::to_string(found.paths.size()));
+    if (!IsUnknown(file) && told.insert(file.origin).second)
+    {
+      fresh.push_back(std::move(file));
+    }
   }
-  loader->Learn(files);
+  return PackScannedFiles(fresh);
+}
+
+void SeriesMerger::LearnFiles(const std::string& text)
+{
+  for (std::size_t i = origins.size(); i < found.paths.size(); ++i)
+  {
+    origins[OriginOf(found.paths[i])] = i;
+  }
+  for (const ScannedFile& file : UnpackScannedFiles(text))
+  {
+    const auto same = origins.find(file.origin);
+    if (same != origins.end())
+    {
+      told.insert(file.origin);
+      loader->Learn(same->second, file);
+    }
+  }
 }
 
 // Those of reflectivity about a time, without sweeps; empty when `progress` asked to stop.
 std::optional<BeamVolumes> SeriesMerger::EchoAbout(Time time, const Progress& progress)
 {
-  const auto find = [&]() -> std::optional<BeamVolumes>
+  auto echo = loader->EchoAbout(time);
+  if (!echo)
   {
-    const auto known = loader->KnownAbout(time, MomentName::REF);
-    BeamVolumes kept = known ? sweepless.Find(*known) : BeamVolumes();
-    return known && kept.size() == known->size() ? std::optional(std::move(kept)) : std::nullopt;
-  };
-  if (auto kept = find())
-  {
-    return kept;
+    if (!this->VolumesAbout(time, {}, progress))
+    {
+      return std::nullopt;
+    }
+    echo = loader->EchoAbout(time);
   }
-  const std::optional<std::vector<ReadyVolume>> volumes = this->VolumesAbout(time, {}, progress);
-  if (!volumes)
+  BeamVolumes volumes;
+  for (const auto& [site, volume] : echo.value_or(std::vector<std::pair<Site, SeriesVolume>>()))
   {
-    return std::nullopt;
+    volumes.push_back(sweepless.MakeBeam(site, volume, MomentName::REF, true));
   }
-  sweepless.Remember(*volumes);
-  return find().value_or(BeamVolumes());
+  return volumes;
 }
 
 // What merges reflectivity of the same files; nullptr when `progress` asked to stop.
@@ -716,49 +690,44 @@ std::optional<GriddedVolume> SeriesMerger::MergeBox(
 // What is known of the inputs so far.
 SeriesScan SeriesMerger::KnownScan() const
 {
-  if (scan)
-  {
-    return *scan;
-  }
-  return gathered ? *gathered : CollectSeries(found.problems, loader->Known());
+  return scan ? *scan : gathered ? *gathered : CollectSeries(found.problems, loader->Known());
 }
 
 // What all processes decoded.
-SeriesScan SeriesMerger::Gather() const
+std::vector<ScannedFile> SeriesMerger::Gather() const
 {
-  std::vector<ScannedFile> known = loader->Known();
+  std::vector<ScannedFile> all = loader->Known();
   if (setup.processes.Count() > 1)
   {
-    for (const std::string& message : setup.processes.Exchange(PackScannedFiles(known)))
+    for (const std::string& message : setup.processes.Exchange(PackScannedFiles(all)))
     {
       std::vector<ScannedFile> part = UnpackScannedFiles(message);
       for (std::size_t i = 0; i < part.size(); ++i)
       {
-        if (IsUnknown(known[i]) || (!TellsEcho(known[i]) && TellsEcho(part[i])))
+        if (IsUnknown(all[i]) || (!TellsEcho(all[i]) && TellsEcho(part[i])))
         {
-          known[i] = std::move(part[i]);
+          all[i] = std::move(part[i]);
         }
       }
     }
   }
-  return CollectSeries(found.problems, known);
+  return all;
 }
 
-bool SeriesMerger::Confirm()
+bool SeriesMerger::Settle()
 {
   if (scan)
   {
     return true;
   }
-  gathered = this->Gather();
-  const auto isAsMade = [&](const std::pair<Time, std::string>& step)
-  { return step.second == gathered->MadeOf(step.first, VolumeRuleOf(request), options.Moments()); };
-  const std::map<Time, std::string>& made = loader->Made();
-  const bool asIn = !gathered->sites.empty() && std::all_of(made.begin(), made.end(), isAsMade) &&
-                    request.grid == GridOf(options, gathered->Positions(), gathered->Range()) &&
-                    !FindPause(options, gathered->Spans()) &&
-                    times == TimeStepsOf(options, *gathered);
-  return setup.processes.InAll(asIn);
+  known = this->Gather();
+  gathered = CollectSeries(found.problems, known);
+  this->MakeLoader();
+  const bool asTold = !gathered->sites.empty() &&
+                      request.grid == GridOf(options, gathered->Positions(), gathered->Range()) &&
+                      !FindPause(options, gathered->Spans()) &&
+                      times == TimeStepsOf(options, *gathered);
+  return setup.processes.InAll(asTold);
 }
 
 } // namespace nexrad

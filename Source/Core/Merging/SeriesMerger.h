@@ -15,8 +15,10 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -49,9 +51,9 @@ struct MergerSetup
 /// Which files lie about a time is taken from the times in their headers, so that the first volume
 /// is there before the day is decoded; where the headers do not tell, all files are scanned first.
 /// What is merged at a time, the rays decide. A header that errs may hide a volume. Whoever merges
-/// a whole run asks Confirm afterwards, and begins again when it says no; at single times, Merge
-/// scans all files as soon as a file turns out to lie elsewhere than its header says; grid and time
-/// steps then stay as Open made them.
+/// a whole run calls Settle afterwards, and makes the steps again of which MadeOf then says another
+/// thing. At single times, Merge scans all files as soon as a file turns out to lie elsewhere than
+/// its header says; grid and time steps then stay as Open made them.
 class SeriesMerger
 {
 public:
@@ -91,7 +93,7 @@ public:
   /// The moments that some volume has, of those that were decoded so far.
   std::vector<MomentName> Moments() const;
   /// What the comparison of the radars found (Formulas Q6) in the volumes that the time steps take,
-  /// as far as all processes knew them in Confirm; after a scan, in all volumes. Empty unless
+  /// as far as all processes knew them in Settle; after a scan, in all volumes. Empty unless
   /// MergeOptions asked for it and there are several radars.
   BiasReport CompareRadars() const;
   /// The biases that are taken off reflectivity: those given, or those found.
@@ -114,60 +116,63 @@ public:
 
   /// The volume of each radar alone at a time, in the order of Sites, given to `take`: what a merge
   /// of its files alone makes on this grid. A radar without any in reach has a volume in which no
-  /// voxel is scanned. Files are decoded once for all of them. Returns how many radars had volumes.
-  /// Empty when `progress` asked to stop. Throws Error as Merge does.
-  std::optional<std::size_t> MergeEachRadar(
+  /// voxel is scanned. Files are decoded once for all of them. False when `progress` asked to stop.
+  /// Throws Error as Merge does.
+  bool MergeEachRadar(
     Time time, const std::function<void(GriddedVolume)>& take, const Progress& progress = {});
 
-  /// Takes note of a time whose merged volume is there already, so that Confirm and Problems speak
-  /// of it too. Files are decoded only where it is not known what they hold (see LearnFiles).
-  /// Returns how many volumes Merge would take. Empty when `progress` asked to stop.
-  std::optional<std::size_t> Skip(Time time, const Progress& progress = {});
+  /// Finds out what the files about a time hold. Files are decoded only where nobody knows it yet
+  /// (see LearnFiles). False when `progress` asked to stop.
+  bool Know(Time time, const Progress& progress = {});
+  /// All that decides what Merge makes of the files at a time, beside the options, as text: grid,
+  /// biases and volumes, by what is known of the files.
+  std::string MadeOf(Time time) const;
+  /// The same by what was known when the volumes of a time were last taken for a merge.
+  std::string LastMadeOf(Time time) const;
+  /// Whether some time step takes a volume, by what is known of the files.
+  bool TakesVolumes() const;
 
-  /// What the files hold, in their order, as far as it is known; empty ones where it is not.
-  std::vector<ScannedFile> KnownFiles() const { return loader->Known(); }
-  /// Tells what KnownFiles said of the same inputs and options before. Throws Error when the files
-  /// are not as many.
-  void LearnFiles(const std::vector<ScannedFile>& files);
+  /// What is known of the files and was not told by a call before, as bytes.
+  std::string KnownFiles();
+  /// Takes what KnownFiles gave with the same options, of the files that are still as they were.
+  /// Throws Error when it cannot be read.
+  void LearnFiles(const std::string& text);
 
   /// A box of the domain at a time, in voxels of its own, from the volumes that Merge takes at that
   /// time; what was decoded and made ready for Merge is used, and the next Merge finds it as it
   /// was. The radars' geometry is kept as long as the voxels stay where they are. A box that
-  /// follows its echo (BoxRequest::followedFrom) needs the reflectivity of all volumes between that
-  /// time and this one; those that were not decoded before are decoded for it. Empty when
-  /// `progress` asked to stop. Throws Error as Merge and MakeFinerBox do, and for the method
-  /// "thesis", whose voxels are not those of a beam.
+  /// follows its echo (BoxRequest::followedFrom, with MergerSetup::anyOrder) needs the reflectivity
+  /// of all volumes between that time and this one; those that were not decoded before are decoded
+  /// for it. Empty when `progress` asked to stop. Throws Error as Merge and MakeFinerBox do, and
+  /// for the method "thesis", whose voxels are not those of a beam.
   std::optional<GriddedVolume> MergeBox(
     Time time, const BoxRequest& box, const Progress& progress = {});
 
-  /// True when grid, time steps and the volumes that were merged are those that a scan of all files
-  /// leads to, as far as all processes have decoded them. All processes call it.
-  bool Confirm();
+  /// Takes up what all processes know of the files by now: MadeOf and Merge go by it. False when
+  /// grid or time steps are then others: after Scan all has to be made anew. All processes call it.
+  bool Settle();
 
   /// Decodes all files to learn what they hold; from then on nothing depends on headers. All
   /// processes call it. False when `progress` asked to stop. Throws Error as Open does.
   bool Scan(const Progress& progress = {});
 
 private:
-  struct Extent;
-  class SharedRequest;
-
   bool Begin(const Progress& progress);
   void FindFiles();
   void RequireMemoryOfGrid() const;
   bool OpenByHeaders();
-  std::optional<Extent> FindExtent();
+  std::optional<TimeSpan> FindEnds();
   bool HasSeveralRadars() const;
   SeriesOptions ScanOptions() const;
   void FindBiases();
-  void Plan(const Extent& extent);
+  void Plan(const SeriesScan& decoded, const TimeSpan& ends);
   bool ScanFiles(const Progress& progress);
   void PlanByScan();
-  void MakeLoader(SeriesFiles files);
-  SeriesFiles FilesByHeaders() const;
-  SeriesFiles FilesByScan() const;
+  SeriesFiles ListFiles() const;
+  void MakeLoader();
+  void PlanRequest(bool hasGrid);
   SeriesScan KnownScan() const;
-  SeriesScan Gather() const;
+  std::vector<ScannedFile> Gather() const;
   std::vector<ChosenVolume> ChosenAt(Time time) const;
   std::vector<bool> FindReaching();
   void AddSweepless(const std::vector<bool>& reaching, std::vector<ReadyVolume>& volumes);
@@ -186,10 +191,13 @@ private:
   InputSizes sizes;                                 ///< of the files that were found
   std::size_t memoryForRays = 0;                    ///< of the cache
   std::optional<std::vector<SiteFileList>> headers; ///< of the files; empty when they do not tell
-  std::optional<SeriesScan> scan;                   ///< of all files
-  std::optional<SeriesScan> gathered; ///< of the files that any process decoded; after Confirm
+  std::vector<ScannedFile> known;             ///< what each file holds, as the loader was told
+  std::map<std::string, std::size_t> origins; ///< of the files; empty until LearnFiles needs them
+  std::set<std::string> told;         ///< origins of the files that KnownFiles told, or LearnFiles
+  std::optional<SeriesScan> scan;     ///< of all files
+  std::optional<SeriesScan> gathered; ///< of the files that any process decoded; after Settle
   std::shared_ptr<PolarCache> cache;
-  std::shared_ptr<SharedRequest> planned;
+  std::shared_ptr<const MergeRequest> planned; ///< by which volumes are made ready
   std::unique_ptr<VolumeLoader> loader;
   std::size_t decodedBefore = 0; ///< by loaders before this one
   MergeRun run;

@@ -47,39 +47,4 @@ std::shared_ptr<const BeamVolume> SweeplessVolumes::MakeBeam(
   return own;
 }
 
-void SweeplessVolumes::Remember(const std::vector<ReadyVolume>& volumes)
-{
-  for (const ReadyVolume& volume : volumes)
-  {
-    if (volume.beam && volume.beam->moment == MomentName::REF)
-    {
-      const BeamVolume& beam = *volume.beam;
-      auto& [site, description] = remembered[{beam.site.name, beam.start}];
-      if (!description.summary)
-      {
-        site = beam.site;
-        description.start = beam.start;
-        description.end = beam.end;
-        description.summary = std::make_shared<const VolumeSummary>(MakeSummary(beam));
-      }
-    }
-  }
-}
-
-BeamVolumes SweeplessVolumes::Find(const std::vector<Key>& wanted)
-{
-  BeamVolumes volumes;
-  for (const Key& key : wanted)
-  {
-    const auto found = remembered.find(key);
-    if (found == remembered.end())
-    {
-      return {};
-    }
-    volumes.push_back(
-      this->MakeBeam(found->second.first, found->second.second, MomentName::REF, true));
-  }
-  return volumes;
-}
-
 } // namespace nexrad

@@ -3,10 +3,7 @@
 
 #include "nexrad/Merging/TimeMerge.h"
 
-#include <map>
 #include <memory>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace nexrad
@@ -19,16 +16,13 @@ namespace nexrad
 class SweeplessVolumes
 {
 public:
-  using Key = std::pair<std::string, Time>; ///< radar and start
-
   /// A moment of a volume without sweeps, for a request; for Thesis it only names the radar.
   ReadyVolume Make(
     const Site& site, const SeriesVolume& volume, const MergeRequest& request, MomentName moment);
 
-  /// Keeps the summaries of volumes of reflectivity that were made ready for the method Beam.
-  void Remember(const std::vector<ReadyVolume>& volumes);
-  /// Volumes of reflectivity; empty when one of them was not remembered.
-  BeamVolumes Find(const std::vector<Key>& wanted);
+  /// The same for Beam; `pictured`: with what motion is searched in.
+  std::shared_ptr<const BeamVolume> MakeBeam(
+    const Site& site, const SeriesVolume& volume, MomentName moment, bool pictured);
 
 private:
   struct Made
@@ -39,11 +33,7 @@ private:
     std::weak_ptr<const BeamVolume> volume;
   };
 
-  std::shared_ptr<const BeamVolume> MakeBeam(
-    const Site& site, const SeriesVolume& volume, MomentName moment, bool pictured);
-
   std::vector<Made> made;
-  std::map<Key, std::pair<Site, SeriesVolume>> remembered;
 };
 
 } // namespace nexrad

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Merging/TimeMerge.h"
 
+#include "nexrad/Grid/GridText.h"
 #include "nexrad/Grid/VolumeMoments.h"
 #include "nexrad/Merging/MergeSettings.h"
 #include "nexrad/Model/SiteKey.h"
+#include "nexrad/Settings/ValueTexts.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/Thesis/ThesisGeometry.h"
 #include "nexrad/Thesis/ThesisMerge.h"
@@ -87,6 +89,25 @@ MergeRequest MergeRequestOf(const MergeOptions& options, const RangeLoop& loop)
   static_cast<MergeRules&>(request) = options;
   request.loop = loop;
   return request;
+}
+
+std::string MergeText(const MergeRequest& request)
+{
+  std::string text = GridText(request.grid); // rounds; the numbers follow
+  for (const auto* numbers : {&request.grid.origin, &request.grid.spacing})
+  {
+    for (const double number : *numbers)
+    {
+      text += ' ' + NumberText(number);
+    }
+  }
+  text +=
+    ' ' + NumberText(request.grid.centreLatitude) + ' ' + NumberText(request.grid.centreLongitude);
+  for (const auto& [radar, bias] : request.beam.biases)
+  {
+    text += ' ' + radar + ':' + NumberText(bias);
+  }
+  return text;
 }
 
 bool LooksForMotion(const MergeRequest& request, MomentName moment)

@@ -11,6 +11,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace nexrad
@@ -27,6 +28,10 @@ struct MergeRequest : MergeRules
 
 /// The merges that options ask for, but for grid and time. `loop` runs their rows.
 MergeRequest MergeRequestOf(const MergeOptions& options, const RangeLoop& loop);
+
+/// Grid and biases of a request as text: with Catalogue::MadeOf all that decides, beside the
+/// options, what a merge makes.
+std::string MergeText(const MergeRequest& request);
 
 /// A moment of a volume in the form that a method takes; the other is empty.
 struct ReadyVolume

@@ -37,9 +37,14 @@ VolumeLoader::VolumeLoader(SeriesFiles series, SeriesOptions theOptions, LoaderW
   , threadCount(std::max(1U, theThreadCount))
   , sites(std::move(series.sites))
   , files(paths.size())
+  , catalogue(std::move(series.listed))
   , looksAhead(cache == nullptr)
 {
   catalogue.sites.resize(sites.size());
+  for (std::size_t index = 0; index < series.known.size(); ++index)
+  {
+    files[index].scanned = std::move(series.known[index]);
+  }
   for (std::size_t site = 0; site < sites.size(); ++site)
   {
     for (const TimedFile& file : sites[site].files)
@@ -49,7 +54,6 @@ VolumeLoader::VolumeLoader(SeriesFiles series, SeriesOptions theOptions, LoaderW
       order.push_back(file);
     }
   }
-  this->Learn(series.known);
   std::stable_sort(order.begin(), order.end(), IsEarlier);
   threads.Start(
     threadCount, [this] { this->Work(); }, 1);
@@ -82,6 +86,10 @@ void VolumeLoader::Work()
     try
     {
       std::vector<HeldVolume> held = this->Load(*index, scanned);
+      if (cache)
+      {
+        AddSummaries(held, scanned);
+      }
       lock.lock();
       this->Keep(*index, std::move(scanned), std::move(held));
     }
@@ -202,6 +210,24 @@ std::vector<VolumeLoader::HeldVolume> VolumeLoader::Load(std::size_t index, Scan
   return held;
 }
 
+// Where a search for motion follows, it needs no more than the summaries of reflectivity.
+void VolumeLoader::AddSummaries(const std::vector<HeldVolume>& held, ScannedFile& scanned)
+{
+  for (const HeldVolume& each : held)
+  {
+    for (const ReadyVolume& ready : each.ready)
+    {
+      const auto own = std::find_if(scanned.volumes.begin(), scanned.volumes.end(),
+        [&each](const auto& volume) { return volume.second.cycle == each.volume.cycle; });
+      if (ready.beam && ready.beam->moment == MomentName::REF && own != scanned.volumes.end() &&
+          !own->second.summary)
+      {
+        own->second.summary = std::make_shared<const VolumeSummary>(MakeSummary(*ready.beam));
+      }
+    }
+  }
+}
+
 // Called with the lock.
 void VolumeLoader::Keep(std::size_t index, ScannedFile scanned, std::vector<HeldVolume> held)
 {
@@ -209,15 +235,19 @@ void VolumeLoader::Keep(std::size_t index, ScannedFile scanned, std::vector<Held
   file.state = State::Done;
   file.held = std::move(held);
   file.asked = false;
-  if (!file.known)
+  const bool isNew = IsUnknown(file.scanned);
+  file.scanned = std::move(scanned);
+  if (isNew)
   {
-    file.known = true;
-    file.scanned = std::move(scanned);
     this->LearnFile(index, file.scanned);
+    return;
   }
-  else if (TellsEcho(scanned) && !TellsEcho(file.scanned))
+  for (const auto& [site, volume] : file.scanned.volumes)
   {
-    file.scanned = std::move(scanned);
+    for (SeriesVolume& own : catalogue.sites[file.site].volumes)
+    {
+      own.summary = own.input == index && own.cycle == volume.cycle ? volume.summary : own.summary;
+    }
   }
 }
 
@@ -285,17 +315,13 @@ void VolumeLoader::EndAt(Time time)
   lastTime = time;
 }
 
-void VolumeLoader::Learn(const std::vector<ScannedFile>& known)
+void VolumeLoader::Learn(std::size_t index, const ScannedFile& scanned)
 {
   const std::lock_guard<std::mutex> lock(mutex);
-  for (std::size_t index = 0; index < known.size(); ++index)
+  if (IsUnknown(files[index].scanned))
   {
-    if (!IsUnknown(known[index]) && !files[index].known)
-    {
-      files[index].known = true;
-      files[index].scanned = known[index];
-      this->LearnFile(index, files[index].scanned);
-    }
+    files[index].scanned = scanned;
+    this->LearnFile(index, scanned);
   }
 }
 
@@ -312,11 +338,11 @@ ScannedFile VolumeLoader::Scan(std::size_t index)
   files[index].kept = true;
   const auto known = [&]
   {
-    if (!files[index].known)
+    if (IsUnknown(files[index].scanned))
     {
       this->Want(index);
     }
-    return files[index].known;
+    return !IsUnknown(files[index].scanned);
   };
   this->WaitFor(lock, known);
   return files[index].scanned;
@@ -349,13 +375,14 @@ bool VolumeLoader::KnowsAbout(std::size_t site, MomentName moment, Time time)
       static_cast<std::size_t>(std::count_if(volumes.begin(), volumes.end(), isLater));
     const auto fileOwn =
       static_cast<std::size_t>(std::count_if(volumes.begin(), volumes.end(), isOwn));
-    later += file.known ? fileLater : unknownLater;
-    if (!file.known)
+    const bool known = !IsUnknown(file.scanned);
+    later += known ? fileLater : unknownLater;
+    if (!known)
     {
       this->Want(each.index);
       there = false;
     }
-    return !file.known || fileLater < fileOwn; // may hold a volume that started
+    return !known || fileLater < fileOwn; // may hold a volume that started
   };
   const auto next = static_cast<std::size_t>(
     std::upper_bound(own.begin(), own.end(), TimedFile{0, time}, IsEarlier) - own.begin());
@@ -477,31 +504,35 @@ bool VolumeLoader::KnowsWithoutLoading(Time time)
   return known;
 }
 
-std::optional<std::vector<std::pair<std::string, Time>>> VolumeLoader::KnownAbout(
-  Time time, MomentName moment)
+std::optional<std::vector<std::pair<Site, SeriesVolume>>> VolumeLoader::EchoAbout(Time time)
 {
   const std::lock_guard<std::mutex> lock(mutex);
-  if (!this->KnowsWithoutLoading(time))
+  bool known = this->KnowsWithoutLoading(time);
+  std::vector<std::pair<Site, SeriesVolume>> volumes;
+  for (const ChosenVolume& each : catalogue.ChosenAt(time, work.rule, {MomentName::REF}))
   {
-    return std::nullopt;
+    known = known && each.volume->summary;
+    volumes.emplace_back(catalogue.sites[each.site].site, *each.volume);
   }
-  std::vector<std::pair<std::string, Time>> volumes;
-  for (const ChosenVolume& each : catalogue.ChosenAt(time, work.rule, {moment}))
-  {
-    volumes.emplace_back(catalogue.sites[each.site].site.name, each.volume->start);
-  }
-  return volumes;
+  return known ? std::optional(volumes) : std::nullopt;
 }
 
-std::optional<std::size_t> VolumeLoader::CountAbout(Time time)
+bool VolumeLoader::Know(Time time, const Progress& progress)
+{
+  std::unique_lock<std::mutex> lock(mutex);
+  const bool known = this->WaitFor(
+    lock, [&] { return this->KnowsWithoutLoading(time); }, progress);
+  if (known)
+  {
+    this->Release(time, this->ChosenAt(time));
+  }
+  return known;
+}
+
+std::string VolumeLoader::MadeOf(Time time) const
 {
   const std::lock_guard<std::mutex> lock(mutex);
-  if (!this->KnowsWithoutLoading(time))
-  {
-    return std::nullopt;
-  }
-  made[time] = catalogue.MadeOf(time, work.rule, moments);
-  return this->ChosenAt(time).size();
+  return catalogue.MadeOf(time, work.rule, moments);
 }
 
 // Called with the lock. Drops what the time did not need, but for what was decoded ahead of it, and
@@ -515,7 +546,7 @@ void VolumeLoader::Release(Time time, const std::vector<ChosenVolume>& needed)
       { return need.volume->cycle == held.volume.cycle && need.volume->file == held.volume.file; });
   };
   // Files of several radars may have the time of the last one ahead.
-  const auto end = this->EndOfAhead(*farthest);
+  const auto end = this->EndOfAhead(farthest.value_or(time));
   const Time lastAhead = end != order.end() ? std::prev(end)->time : Time::max();
   for (File& file : files)
   {
@@ -539,7 +570,7 @@ std::vector<ScannedFile> VolumeLoader::Known() const
   std::vector<ScannedFile> known;
   for (const File& file : files)
   {
-    known.push_back(file.known ? file.scanned : ScannedFile());
+    known.push_back(file.scanned);
   }
   return known;
 }

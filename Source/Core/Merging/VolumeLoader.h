@@ -49,6 +49,7 @@ struct SeriesFiles
   std::vector<SiteFileList> sites; ///< by name
   std::vector<ScannedFile> known;  ///< what each path holds; IsUnknown where nobody knows; may be
                                    ///< empty
+  Catalogue listed;                ///< of the files that are known, its radars as in `sites`
 };
 
 /// The volumes about any time, made ready for a merge. Files are decoded on threads of their own:
@@ -90,19 +91,22 @@ public:
   std::optional<std::vector<ReadyVolume>> About(
     Time time, const std::vector<bool>& wanted = {}, const Progress& progress = {});
 
-  /// Radars and starts of the volumes with a moment that About gives at a time; nothing is loaded.
-  /// Empty as long as it is not known what the files about the time hold, which About finds out.
-  std::optional<std::vector<std::pair<std::string, Time>>> KnownAbout(Time time, MomentName moment);
+  /// The volumes of reflectivity that About gives at a time, with their summaries; nothing is
+  /// loaded. Empty as long as these are not known; with a cache, About finds them out.
+  std::optional<std::vector<std::pair<Site, SeriesVolume>>> EchoAbout(Time time);
 
-  /// Decides what a time needs, as About does, without loading the volumes, and returns how many
-  /// they are. Empty as long as it is not known what the files about the time hold.
-  std::optional<std::size_t> CountAbout(Time time);
+  /// Finds out what the files about a time hold; of those that are known already none is decoded.
+  /// False when `progress` asked to stop.
+  bool Know(Time time, const Progress& progress = {});
+
+  /// What a time is made of (Catalogue::MadeOf) by the files that are known.
+  std::string MadeOf(Time time) const;
 
   /// What each path holds, as far as it is known; else IsUnknown.
   std::vector<ScannedFile> Known() const;
 
-  /// Tells what files hold, in the order of the paths; what is known of a file already stays.
-  void Learn(const std::vector<ScannedFile>& known);
+  /// Tells what a file holds; what is known of it already stays.
+  void Learn(std::size_t index, const ScannedFile& scanned);
 
   /// How many times a file was decoded.
   std::size_t DecodedFiles() const { return decodedFiles; }
@@ -111,7 +115,7 @@ public:
   /// not begin near the header's time, in the order of the headers.
   bool HeadersErr() const;
 
-  /// What each time so far is made of (Catalogue::MadeOf), by the files that were known then.
+  /// What About gave the volumes of for each time so far, by the files that were known then.
   const std::map<Time, std::string>& Made() const { return made; }
 
 private:
@@ -133,11 +137,10 @@ private:
   {
     State state = State::Waiting;
     bool asked = false;   ///< it is in `wanted`
-    bool known = false;   ///< what it holds is known
     bool kept = false;    ///< Scan asked for it; held until some time needs it
     Time time{};          ///< of its header
     std::size_t site = 0; ///< in `sites`
-    ScannedFile scanned;
+    ScannedFile scanned;  ///< IsUnknown until it is decoded
     std::vector<HeldVolume> held;
   };
 
@@ -146,6 +149,7 @@ private:
   std::vector<TimedFile>::const_iterator FirstAhead(Time time) const;
   std::vector<TimedFile>::const_iterator EndOfAhead(Time time) const;
   std::vector<HeldVolume> Load(std::size_t index, ScannedFile& scanned);
+  static void AddSummaries(const std::vector<HeldVolume>& held, ScannedFile& scanned);
   void Keep(std::size_t index, ScannedFile scanned, std::vector<HeldVolume> held);
   void LearnFile(std::size_t index, const ScannedFile& scanned);
   void Want(std::size_t index);
@@ -174,7 +178,7 @@ private:
   mutable std::mutex mutex; // guards all that follows but the threads
   std::condition_variable changed;
   std::vector<File> files;        // by index
-  Catalogue catalogue;            // of the files that are known, its radars as in `sites`
+  Catalogue catalogue;            // of the files that are known
   std::deque<std::size_t> wanted; // to be decoded first
   std::vector<bool> wantedSites;  // by the last time; empty: all
   std::vector<TimedFile> order;   // all, by time

@@ -96,7 +96,7 @@ std::string Catalogue::MadeOf(
   {
     lines.insert(std::string("\n") + ToString(moment) + ' ' + sites[site].site.name + ' ' +
                  FormatIso8601(volume->start) + ' ' + FormatIso8601(volume->end) + ' ' +
-                 std::to_string(volume->rays) + ' ' + volume->file.filename().string() + ' ' +
+                 std::to_string(volume->rays) + ' ' + volume->origin + ' ' +
                  std::to_string(volume->cycle));
   }
   return std::accumulate(lines.begin(), lines.end(), std::string());

@@ -25,6 +25,7 @@ struct SeriesVolume
 {
   std::size_t input = 0;      ///< place of the file among the inputs, once it is in a catalogue
   std::filesystem::path file; ///< a Level II file or a chunk folder
+  std::string origin;         ///< OriginOf this file, or its name where it may still change
   std::size_t cycle = 0;      ///< which of the cycles in the file (SplitCycles), from 0
   Time start{};               ///< first ray
   Time end{};                 ///< last ray

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Series/ScannedFile.h"
 
+#include "nexrad/Archives/StoredFiles.h"
 #include "nexrad/Model/Elevation.h"
 #include "nexrad/Model/SiteKey.h"
 #include "nexrad/Model/StrayRays.h"
@@ -104,6 +105,7 @@ SeriesVolume Describe(const RadarVolume& volume, const std::filesystem::path& pa
   const std::vector<MomentName> moments = MomentsOf(volume, options);
   SeriesVolume description;
   description.file = path;
+  description.origin = path.filename().string();
   description.cycle = cycle;
   description.start = *volume.Start();
   description.end = *volume.End();
@@ -322,9 +324,10 @@ std::vector<MomentName> SeriesOptions::Moments() const
   return moments;
 }
 
-bool IsUnknown(const ScannedFile& file)
+std::string OriginOf(const std::filesystem::path& path)
 {
-  return file.volumes.empty() && file.problems.empty() && file.notes.empty();
+  return path.string() + ' ' + std::to_string(StoredSize(path)) + ' ' +
+         std::to_string(ChangedAt(path).time_since_epoch().count());
 }
 
 bool TellsEcho(const ScannedFile& file)
@@ -358,17 +361,23 @@ ScannedFile ScanVolume(const RadarVolume& whole, const std::filesystem::path& pa
 ScannedFile ScanFile(
   const std::filesystem::path& path, const SeriesOptions& options, const VolumeVisitor& visitor)
 {
+  const std::string origin = OriginOf(path);
+  ScannedFile scanned;
   try
   {
-    return ScanWithinMemory(path, options, visitor);
+    scanned = ScanWithinMemory(path, options, visitor);
   }
   catch (const std::bad_alloc&)
   {
-    ScannedFile scanned;
     scanned.problems.push_back(
       {path.string(), {}, "needs more memory than there is: left out", true});
-    return scanned;
   }
+  scanned.origin = origin;
+  for (auto& [site, volume] : scanned.volumes)
+  {
+    volume.origin = origin;
+  }
+  return scanned;
 }
 
 std::string DescribeRestart(const SeriesVolume& volume, const SeriesVolume& next)

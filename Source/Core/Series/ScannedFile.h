@@ -40,17 +40,24 @@ struct SeriesOptions : MomentOptions
 using VolumeVisitor = std::function<void(
   const SeriesVolume&, const RadarVolume&, const std::shared_ptr<const PolarVolume>&)>;
 
+/// A file as it is stored now, as text: its path, size and time of change.
+std::string OriginOf(const std::filesystem::path& path);
+
 /// What one input file holds.
 struct ScannedFile
 {
+  std::string origin; ///< OriginOf the file before it was read; empty: nobody knows what it holds
   std::vector<std::pair<Site, SeriesVolume>> volumes;
   std::vector<InputProblem> problems;
   std::vector<std::string> notes; ///< what the merge leaves out, or lacks, although nothing is
                                   ///< wrong with it, a line each, with the file
 };
 
-/// True of one that says nothing: what stands for a file of which nothing is known.
-bool IsUnknown(const ScannedFile& file);
+/// True of what stands for a file of which nothing is known.
+inline bool IsUnknown(const ScannedFile& file)
+{
+  return file.origin.empty();
+}
 
 /// Whether quality control said of some volume of a file what it found.
 bool TellsEcho(const ScannedFile& file);

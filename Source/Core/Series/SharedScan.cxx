@@ -123,10 +123,10 @@ void from_json(const Json& packed, LowEcho& echo)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VolumeSummary, reach, composite, lowest)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Position, latitude, longitude, altitude)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Site, name, position)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SeriesVolume, file, cycle, start, end, begun, left, rays, reach,
-  synthetic, summary, lowEcho, moments, lacking, echo)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SeriesVolume, file, origin, cycle, start, end, begun, left, rays,
+  reach, synthetic, summary, lowEcho, moments, lacking, echo)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(InputProblem, file, offset, what, leftOut, isMissingEnd)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ScannedFile, volumes, problems, notes)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ScannedFile, origin, volumes, problems, notes)
 
 namespace
 {

@@ -40,18 +40,23 @@ TEST(AwaitedEnds, ARestartIsANoteAndALossAProblem)
   for (const Duration pause : {Duration(30s), Duration(90s)})
   {
     AwaitedEnds ends;
+    Catalogue known;
     ScannedFile first = FileOf("a", noon, false);
     ends.Keep(first);
     ASSERT_EQ(first.problems.size(), 1U);
     EXPECT_EQ(first.problems[0].what, "some other damage");
-    EXPECT_TRUE(ends.TakeDecided({}).problems.empty()) << "the next volume may tell";
+    EXPECT_TRUE(ends.TakeDecided(known, {}).problems.empty()) << "the next volume may tell";
     ScannedFile next = FileOf("b", noon + 1min + pause, true);
     ends.Keep(next);
-    const AwaitedEnds::Decided decided = ends.TakeDecided({});
+    for (const ScannedFile& file : {first, next})
+    {
+      known.Of(file.volumes[0].first).Put(file.volumes[0].second);
+    }
+    const AwaitedEnds::Decided decided = ends.TakeDecided(known, {});
     EXPECT_EQ(decided.notes.size(), pause < 1min ? 1U : 0U);
     ASSERT_EQ(decided.problems.size(), pause < 1min ? 0U : 1U);
     EXPECT_TRUE(decided.problems.empty() || decided.problems[0].isMissingEnd);
-    const AwaitedEnds::Decided again = ends.TakeDecided({"KEAX"});
+    const AwaitedEnds::Decided again = ends.TakeDecided(known, {"KEAX"});
     EXPECT_TRUE(again.notes.empty() && again.problems.empty()) << "each is said once";
   }
 }
@@ -61,8 +66,8 @@ TEST(AwaitedEnds, OfASilentRadarAreLost)
   AwaitedEnds ends;
   ScannedFile file = FileOf("a", noon, false);
   ends.Keep(file);
-  EXPECT_TRUE(ends.TakeDecided({"KLSX"}).problems.empty());
-  EXPECT_EQ(ends.TakeDecided({"KEAX"}).problems.size(), 1U);
+  EXPECT_TRUE(ends.TakeDecided({}, {"KLSX"}).problems.empty());
+  EXPECT_EQ(ends.TakeDecided({}, {"KEAX"}).problems.size(), 1U);
 }
 
 TEST(AwaitedEnds, CanComeWithTheRestOfTheFile)
@@ -72,6 +77,6 @@ TEST(AwaitedEnds, CanComeWithTheRestOfTheFile)
   ends.Keep(part);
   ScannedFile whole = FileOf("a", noon, true);
   ends.Keep(whole);
-  const AwaitedEnds::Decided decided = ends.TakeDecided({"KEAX"});
+  const AwaitedEnds::Decided decided = ends.TakeDecided({}, {"KEAX"});
   EXPECT_TRUE(decided.problems.empty() && decided.notes.empty());
 }

@@ -147,7 +147,7 @@ TEST_F(MergingMoments, OneRunGivesWhatARunForEachGives)
   EXPECT_TRUE(folded);
   EXPECT_GT(echoes, 500);
   EXPECT_EQ(both->DecodedFiles(), files); // each once
-  EXPECT_TRUE(both->Confirm());
+  EXPECT_TRUE(both->Settle());
   const std::vector<InputProblem> problems = both->Problems();
   ASSERT_EQ(problems.size(), 2U);
   EXPECT_EQ(problems[0].what, "no ray has VEL");

@@ -8,6 +8,7 @@
 #include "TestData.h"
 #include "Tolerance.h"
 #include "nexrad/Series/InputFiles.h"
+#include "nexrad/Series/Steps.h"
 
 #include <gtest/gtest.h>
 
@@ -74,6 +75,20 @@ protected:
     EXPECT_EQ(made->sites, expected.sites);
   }
 
+  // Times whose volumes would be made of something else now.
+  static std::vector<Time> DueTimes(const SeriesMerger& merger, const Steps& steps)
+  {
+    std::vector<Time> due;
+    for (const Time time : steps.Made())
+    {
+      if (steps.IsDue(time, merger.MadeOf(time)))
+      {
+        due.push_back(time);
+      }
+    }
+    return due;
+  }
+
   const TemporaryFolder folder;
   std::vector<std::filesystem::path> paths;
   MergeOptions options;
@@ -100,13 +115,16 @@ TEST_F(MergingASeries, AnyOrderOfTimesGivesTheSame)
     options.method = method;
     SeriesMerger merger = this->InAnyOrder();
     ASSERT_TRUE(merger.Open());
+    Steps steps;
     for (const Duration after : {Duration(40min), Duration(8min), Duration(9min), Duration(-5min),
            Duration(56min), Duration(8min)})
     {
       this->ExpectAsDirect(merger, start + after);
+      steps.Make(start + after, merger.LastMadeOf(start + after));
     }
     EXPECT_LE(merger.DecodedFiles(), paths.size()); // the memory keeps all of them
-    EXPECT_TRUE(merger.Confirm());
+    EXPECT_TRUE(merger.Settle());
+    EXPECT_TRUE(this->DueTimes(merger, steps).empty());
   }
 }
 
@@ -143,24 +161,25 @@ TEST_F(MergingASeries, WhatWasKnownOfTheFilesNeedNotBeDecodedAgain)
   {
     ASSERT_TRUE(first.Merge(time));
   }
-  const auto mergedCount = [&](SeriesMerger& merger)
+  const auto volumesOf = [](SeriesMerger& merger)
   {
-    std::size_t volumes = 0;
+    std::string volumes;
     for (const Time time : merger.Times())
     {
-      volumes += merger.Skip(time).value();
+      EXPECT_TRUE(merger.Know(time));
+      volumes += merger.MadeOf(time);
     }
-    EXPECT_TRUE(merger.Confirm());
+    EXPECT_TRUE(merger.Settle());
     return volumes;
   };
   SeriesMerger second({folder.Path()}, options);
   ASSERT_TRUE(second.Open());
   second.LearnFiles(first.KnownFiles());
-  const std::size_t volumes = mergedCount(second);
+  const std::string volumes = volumesOf(second);
   EXPECT_EQ(second.DecodedFiles(), 4U) << "those that Open decoded";
   SeriesMerger ignorant({folder.Path()}, options);
   ASSERT_TRUE(ignorant.Open());
-  EXPECT_EQ(mergedCount(ignorant), volumes);
+  EXPECT_EQ(volumesOf(ignorant), volumes);
   EXPECT_EQ(ignorant.DecodedFiles(), paths.size());
   EXPECT_THROW(second.LearnFiles({}), Error);
 }
@@ -253,22 +272,44 @@ TEST_F(MergingASeries, FilesThatComeAndGoMeanwhileDoNoHarm)
     [this](const InputProblem& problem) { return problem.leftOut && problem.file == paths[9]; }));
 }
 
-TEST_F(MergingASeries, ARunIsNotConfirmedWhenAHeaderHidAVolume)
+TEST_F(MergingASeries, TimesFromWhichAHeaderHidAVolumeAreDue)
 {
-  SetHeaderTime(paths[4], start + 48min);
+  SetHeaderTime(paths[4], start + 48min); // KEAX at 18:20
   SeriesMerger merger({folder.Path()}, options);
   ASSERT_TRUE(merger.Open());
+  Steps steps;
   for (const Time time : merger.Times())
   {
     merger.Merge(time);
+    steps.Make(time, merger.LastMadeOf(time));
   }
-  EXPECT_FALSE(merger.Confirm());
-  ASSERT_TRUE(merger.Scan());
+  const std::vector<Time> due = this->DueTimes(merger, steps);
+  ASSERT_TRUE(merger.Settle());
+  EXPECT_EQ(this->DueTimes(merger, steps), due) << "one process knows nothing of others";
+  // Its rays are of 18:20 to 18:20:07; one volume before and one after tell the rest.
+  EXPECT_EQ(due, (std::vector<Time>{start + 16min, start + 20min, start + 24min}));
   for (const Time time : merger.Times())
   {
     this->ExpectAsDirect(merger, time);
+    steps.Make(time, merger.LastMadeOf(time));
   }
-  EXPECT_TRUE(merger.Confirm());
+  ASSERT_TRUE(merger.Settle());
+  EXPECT_TRUE(this->DueTimes(merger, steps).empty());
+  EXPECT_FALSE(merger.IsScanned());
+}
+
+// The header of the last file puts it before all others: grid and times have to be told anew.
+TEST_F(MergingASeries, OtherTimeStepsAskForAScan)
+{
+  SetHeaderTime(paths[11], start - 20min); // KEAX at 18:55
+  options.begin = start;
+  options.step = 5min;
+  SeriesMerger merger({folder.Path()}, options);
+  ASSERT_TRUE(merger.Open());
+  EXPECT_FALSE(merger.Settle());
+  ASSERT_TRUE(merger.Scan());
+  EXPECT_EQ(merger.Times(), DirectMerge({folder.Path()}, options).Times());
+  EXPECT_TRUE(merger.Settle());
 }
 
 TEST_F(MergingASeries, OneTimeNeedsItsFilesAlone)

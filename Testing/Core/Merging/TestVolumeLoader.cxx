@@ -75,7 +75,7 @@ protected:
     SeriesOptions options;
     options.moment = MomentName::REF;
     return std::make_unique<VolumeLoader>(
-      SeriesFiles{paths, *headers, {}}, options, this->Work(), cache, threads);
+      SeriesFiles{paths, *headers, {}, {}}, options, this->Work(), cache, threads);
   }
 
   // All files, once they are as the test wants them.
@@ -325,7 +325,7 @@ TEST_F(VolumeLoading, HandsOnWhatPreparingThrows)
   { throw std::runtime_error("no room"); };
   SeriesOptions options;
   options.moment = MomentName::REF;
-  VolumeLoader loader({paths, *ListByHeaders(paths), {}}, options, work, nullptr, 2);
+  VolumeLoader loader({paths, *ListByHeaders(paths), {}, {}}, options, work, nullptr, 2);
   EXPECT_THROW(loader.About(start), std::runtime_error);
   EXPECT_THROW(loader.Scan(0), std::runtime_error);
 }
