@@ -20,6 +20,7 @@
 #include <map>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace nexrad;
@@ -85,18 +86,23 @@ protected:
            std::includes(contents.begin(), contents.end(), expected.begin(), expected.end());
   }
 
-  // The volumes that have their names, and the number of the disk's entry of each: a file that is
-  // written again gets another.
-  static std::map<std::string, ino_t> Volumes(const fs::path& folder)
+  // A file's entry on the disk, and when its bytes were written, ns: one that is written again
+  // differs in either.
+  using FileEntry = std::pair<ino_t, long long>;
+
+  // The volumes that have their names.
+  static std::map<std::string, FileEntry> Volumes(const fs::path& folder)
   {
-    std::map<std::string, ino_t> volumes;
+    std::map<std::string, FileEntry> volumes;
     std::error_code none;
     for (const auto& entry : fs::directory_iterator(folder, none))
     {
       struct stat status = {};
       if (entry.path().extension() == ".nxv" && stat(entry.path().c_str(), &status) == 0)
       {
-        volumes[entry.path().filename()] = status.st_ino;
+        const timespec& written = status.st_mtim;
+        volumes[entry.path().filename()] = {
+          status.st_ino, written.tv_sec * 1'000'000'000LL + written.tv_nsec};
       }
     }
     return volumes;
@@ -132,7 +138,7 @@ TEST_F(InterruptedGrid, TwentyKillsEndWithTheBytesOfAnUndisturbedRun)
   std::uniform_real_distribution<double> share(0.02, 0.6);
   int kills = 0;
   std::size_t madeAgain = 0;
-  std::map<std::string, ino_t> before;
+  std::map<std::string, FileEntry> before;
   for (int attempt = 0; kills < 20 && attempt < 60; ++attempt)
   {
     const auto end =
