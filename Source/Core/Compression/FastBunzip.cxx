@@ -311,51 +311,12 @@ private:
   unsigned digits = 0;
 };
 
-// The bytes of a block by how recently each was used. Most that are taken are among the first.
-class RecentBytes
-{
-public:
-  explicit RecentBytes(const std::array<std::uint8_t, 256>& bytes)
-  {
-    for (unsigned place = 0; place < ofFirst; ++place)
-    {
-      first |= std::uint64_t(bytes[place]) << (8 * place);
-    }
-    std::copy(bytes.begin() + ofFirst, bytes.end(), rest.begin());
-  }
-
-  std::uint8_t First() const { return static_cast<std::uint8_t>(first); }
-
-  // Moves the byte at a place to the front.
-  std::uint8_t Take(unsigned place)
-  {
-    if (place < ofFirst)
-    {
-      const unsigned shift = 8 * place;
-      const std::uint64_t upToPlace = ~std::uint64_t(0) >> (56 - shift);
-      const std::uint64_t byte = first >> shift & 255;
-      first = (first & ~upToPlace) | ((first << 8 | byte) & upToPlace);
-      return static_cast<std::uint8_t>(byte);
-    }
-    const std::uint8_t byte = rest[place - ofFirst];
-    std::memmove(rest.data() + 1, rest.data(), place - ofFirst);
-    rest[0] = static_cast<std::uint8_t>(first >> 56);
-    first = first << 8 | byte;
-    return byte;
-  }
-
-private:
-  static constexpr unsigned ofFirst = 8;
-  std::uint64_t first = 0; // the most recent one lowest
-  std::array<std::uint8_t, 256 - ofFirst> rest{};
-};
-
 // The last column of a block and how often each byte occurs in it. Returns its size.
 std::size_t ReadColumn(BitReader& bits, const BlockCodes& codes, std::size_t largest,
   std::vector<std::uint8_t>& column, std::array<std::uint32_t, 256>& counts)
 {
   const unsigned endOfBlock = codes.byteCount + 1;
-  RecentBytes recent(codes.bytes);
+  std::array<std::uint8_t, 256> recent = codes.bytes;
   counts.fill(0);
   std::size_t size = 0;
   RunCounter run;
@@ -366,8 +327,8 @@ std::size_t ReadColumn(BitReader& bits, const BlockCodes& codes, std::size_t lar
     {
       Refuse();
     }
-    std::memset(column.data() + size, recent.First(), length);
-    counts[recent.First()] += static_cast<std::uint32_t>(length);
+    std::memset(column.data() + size, recent[0], length);
+    counts[recent[0]] += static_cast<std::uint32_t>(length);
     size += length;
   };
   for (const std::uint8_t selector : codes.selectors)
@@ -393,7 +354,10 @@ std::size_t ReadColumn(BitReader& bits, const BlockCodes& codes, std::size_t lar
       {
         Refuse();
       }
-      const std::uint8_t byte = recent.Take(symbol - 1);
+      const unsigned place = symbol - 1;
+      const std::uint8_t byte = recent[place];
+      std::memmove(recent.data() + 1, recent.data(), place);
+      recent[0] = byte;
       column[size++] = byte;
       ++counts[byte];
     }

@@ -97,7 +97,8 @@ BeamColumn::BeamColumn(int levels, OverlapStrategy theStrategy, const ValueRule&
   {
     each->assign(count, 0);
   }
-  unknown.assign(count, VoxelState::NotScanned);
+  states.assign(count, VoxelState::NotScanned);
+  unknown = states;
 }
 
 void BeamColumn::Clear()
@@ -115,63 +116,24 @@ void BeamColumn::Clear()
   }
 }
 
-namespace
-{
-
-// Where beams pass through the levels over a column.
-class BeamLevels
-{
-public:
-  BeamLevels(const SiteColumn& site, int levelCount)
-    : levels(*site.levels)
-    , count(static_cast<float>(levelCount))
-    , t(std::max(site.halfTangent, smallestHalfTangent))
-    , sine(2.0F * t / (1.0F + t * t))
-  {
-  }
-
-  float RatioAt(float tangent) const { return (tangent + t) * sine; }
-
-  // The first level that is not below a beam.
-  int At(float tangent) const
-  {
-    const float ratio = this->RatioAt(tangent);
-    // Nearly straight up the formula has no answer, and none is needed.
-    const float height = ratio < 0.1F ? levels.radius * ratio / (1.0F - ratio) : 1e6F;
-    const float level = std::clamp((height - levels.bottom) * levels.perMetre, 0.0F, count);
-    const int below = static_cast<int>(level);
-    return static_cast<float>(below) < level ? below + 1 : below;
-  }
-
-private:
-  const SiteLevels& levels;
-  const float count;
-  const float t;
-  const float sine;
-};
-
-} // namespace
-
-LevelRange BeamColumn::LevelsOf(const SiteColumn& quiet) const
-{
-  const BeamLevels beams(quiet, levelCount);
-  const std::vector<TiltEdges>& edges = *quiet.edges;
-  const int from = beams.At(LowerEdge(edges.front(), quiet.samples[0]));
-  return {from, std::max(from, beams.At(UpperEdge(edges.back(), quiet.samples[edges.size() - 1])))};
-}
-
 void BeamColumn::Add(const SiteColumn& site)
 {
-  if (site.quiet)
-  {
-    const auto [from, to] = this->LevelsOf(site);
-    this->AddNone(site, {site.samples, site.samples}, from, to);
-    return;
-  }
   const std::vector<TiltEdges>& edges = *site.edges;
+  const SiteLevels& levels = *site.levels;
   const TiltSample* samples = site.samples;
-  const BeamLevels beams(site, levelCount);
-  const auto levelAt = [&beams](float tangent) { return beams.At(tangent); };
+  const float t = std::max(site.halfTangent, smallestHalfTangent);
+  const float sine = 2.0F * t / (1.0F + t * t);
+  const auto ratioAt = [t, sine](float tangent) { return (tangent + t) * sine; };
+  const auto levelAt = [this, &levels, &ratioAt](float tangent)
+  {
+    const float ratio = ratioAt(tangent);
+    // Nearly straight up the formula has no answer, and none is needed.
+    const float height = ratio < 0.1F ? levels.radius * ratio / (1.0F - ratio) : 1e6F;
+    const float level =
+      std::clamp((height - levels.bottom) * levels.perMetre, 0.0F, static_cast<float>(levelCount));
+    const int below = static_cast<int>(level);
+    return static_cast<float>(below) < level ? below + 1 : below;
+  };
   static constexpr TiltSample nothing;
   int from = levelAt(LowerEdge(edges.front(), samples[0]));
   int lowerEnd = 0;
@@ -194,8 +156,8 @@ void BeamColumn::Add(const SiteColumn& site)
       gap.middle = gap.from;
       if (i > 0 && i < edges.size())
       {
-        gap.ratioFrom = beams.RatioAt(edges[i - 1].tangent);
-        gap.perRatio = 1.0F / (beams.RatioAt(edges[i].tangent) - gap.ratioFrom);
+        gap.ratioFrom = ratioAt(edges[i - 1].tangent);
+        gap.perRatio = 1.0F / (ratioAt(edges[i].tangent) - gap.ratioFrom);
         gap.edges = &edges[i - 1];
         gap.tilt = i - 1;
         gap.middle = std::clamp(levelAt(edges[i - 1].middle), gap.from, gap.to);
@@ -476,70 +438,61 @@ void BeamColumn::AddAncillary(const SiteColumn& site, const Gap& gap, int from, 
   }
 }
 
-void BeamColumn::ConvertEchoes(float* toValues, const VoxelState* toStates) const
-{
-  for (int z = 0; z < levelCount; ++z)
-  {
-    if (toStates[z] == VoxelState::Echo)
-    {
-      const float turns = rule.linear ? 0.0F : std::floor(toValues[z] / rule.period);
-      toValues[z] =
-        rule.linear ? 10.0F * std::log10(toValues[z]) : toValues[z] - turns * rule.period;
-    }
-  }
-}
-
-namespace
-{
-
-// Gives the voxels from `next` up to a known one values between that and the known one below them,
-// or its value where there is none: the nearer one's, unless both are echo.
-void FillBelow(int next, int known, float* values, VoxelState* states)
-{
-  for (int empty = next; empty < known; ++empty)
-  {
-    const int from = next > 0 ? next - 1 : known;
-    const auto gap = static_cast<float>(known - next + 1);
-    const float part = next > 0 ? static_cast<float>(empty - next + 1) / gap : 1.0F;
-    const bool bothEcho = states[from] == VoxelState::Echo && states[known] == VoxelState::Echo;
-    const int nearer = part < 0.5F ? from : known;
-    states[empty] = states[nearer];
-    values[empty] =
-      bothEcho ? values[from] + part * (values[known] - values[from]) : values[nearer];
-  }
-}
-
-} // namespace
-
-int BeamColumn::Finish(float fill, bool fillColumn, float* toValues, VoxelState* toStates)
+void BeamColumn::Finish(float fill)
 {
   const float half = strategy == OverlapStrategy::Maximum ? 0.0F : 0.5F;
   for (std::size_t z = 0; z < scanned.size(); ++z)
   {
     const bool isEcho = echo[z] > 0.0F && echo[z] >= half * scanned[z];
     const float mean = strategy == OverlapStrategy::Maximum ? sum[z] : sum[z] / echo[z];
-    toValues[z] = isEcho ? mean : fill;
-    toStates[z] = isEcho ? VoxelState::Echo : scanned[z] > 0.0F ? VoxelState::NoEcho : unknown[z];
+    values[z] = isEcho ? mean : fill;
+    states[z] = isEcho ? VoxelState::Echo : scanned[z] > 0.0F ? VoxelState::NoEcho : unknown[z];
   }
   if (rule.linear || rule.period > 0.0F)
   {
-    this->ConvertEchoes(toValues, toStates);
+    this->ConvertEchoes();
   }
-  int next = 0; // lowest level not yet dealt with
-  for (int z = 0; fillColumn && z < levelCount; ++z)
+}
+
+void BeamColumn::ConvertEchoes()
+{
+  for (std::size_t z = 0; z < values.size(); ++z)
   {
-    if (toStates[z] != VoxelState::NotScanned)
+    if (states[z] == VoxelState::Echo)
     {
-      FillBelow(next, z, toValues, toStates);
-      next = z + 1;
+      const float turns = rule.linear ? 0.0F : std::floor(values[z] / rule.period);
+      values[z] = rule.linear ? 10.0F * std::log10(values[z]) : values[z] - turns * rule.period;
     }
   }
-  int end = levelCount;
-  while (end > 0 && toStates[end - 1] != VoxelState::Echo)
+}
+
+void BeamColumn::FillColumn()
+{
+  std::size_t next = 0; // lowest level not yet dealt with
+  for (std::size_t z = 0; z < states.size(); ++z)
   {
-    --end;
+    if (states[z] == VoxelState::NotScanned)
+    {
+      continue;
+    }
+    for (std::size_t empty = next; empty < z; ++empty)
+    {
+      const bool lowest = next == 0;
+      const auto gap = static_cast<float>(z - next + 1);
+      const float part = lowest ? 1.0F : static_cast<float>(empty - next + 1) / gap;
+      this->FillVoxel(empty, lowest ? z : next - 1, z, part);
+    }
+    next = z + 1;
   }
-  return end;
+}
+
+// The value `part` of the way from one known voxel to another; the nearer when one has none.
+void BeamColumn::FillVoxel(std::size_t at, std::size_t from, std::size_t to, float part)
+{
+  const bool bothEcho = states[from] == VoxelState::Echo && states[to] == VoxelState::Echo;
+  const std::size_t nearer = part < 0.5F ? from : to;
+  states[at] = states[nearer];
+  values[at] = bothEcho ? values[from] + part * (values[to] - values[from]) : values[nearer];
 }
 
 } // namespace nexrad

@@ -29,13 +29,6 @@ struct SiteLevels
   std::vector<float> weight; ///< exp(−(h/L)²) of each level; 1 without a length
 };
 
-/// Levels from `from` up to, but not including, `to`.
-struct LevelRange
-{
-  int from = 0;
-  int to = 0;
-};
-
 /// What is made of a voxel that several radars scanned.
 enum class OverlapStrategy
 {
@@ -54,7 +47,6 @@ struct SiteColumn
   const SiteLevels* levels = nullptr;
   const std::vector<TiltEdges>* edges = nullptr;
   const TiltSample* samples = nullptr; ///< of each tilt
-  bool quiet = false; ///< all have no echo and count in full; only the first and the last are there
   /// What layers change in the gap above each tilt but the last (Formulas G12); nullptr: nothing.
   const EchoLayers::Changes* layers = nullptr;
 };
@@ -74,18 +66,18 @@ public:
   /// Forgets the column before.
   void Clear();
 
-  /// The levels that a quiet radar scanned.
-  LevelRange LevelsOf(const SiteColumn& quiet) const;
-
   /// Adds a radar. For Nearest, and for the nearest site among the ancillary arrays, the radars
   /// must be added in the order of their distances.
   void Add(const SiteColumn& site);
 
-  /// Decides each voxel, and fills between and below what was scanned as Formulas T7 does where
-  /// that is asked for. Writes a value and a state for each level; returns the first level above
-  /// all echo.
-  int Finish(float fill, bool fillColumn, float* toValues, VoxelState* toStates);
+  /// Decides each voxel; then the results below hold.
+  void Finish(float fill);
 
+  /// Fills between and below what was scanned, as Formulas T7 does; after Finish.
+  void FillColumn();
+
+  const std::vector<float>& Values() const { return values; }
+  const std::vector<VoxelState>& States() const { return states; }
   const std::vector<float>& Weights() const { return scanned; }
   const std::vector<float>& Ages() const { return ages; }
   const std::vector<std::uint8_t>& Radars() const { return radars; }
@@ -103,7 +95,8 @@ private:
   void AccumulateEcho(int from, int to);
   void AddUnknown(VoxelState state, int from, int to);
   void AddState(const SiteColumn& site, const Gap& gap, const TiltSample& sample, int from, int to);
-  void ConvertEchoes(float* toValues, const VoxelState* toStates) const;
+  void ConvertEchoes();
+  void FillVoxel(std::size_t at, std::size_t from, std::size_t to, float part);
   void AddAncillary(const SiteColumn& site, const Gap& gap, int from, int to);
   void WeighLevels(const SiteColumn& site, const Gap& gap, int from, int to);
   void ShareLevels(const SiteColumn& site, const Gap& gap, int from, int to);
@@ -122,7 +115,8 @@ private:
   std::vector<std::uint8_t> nearestSites;
   std::vector<float> weights; // of the radar that is being added
   std::vector<float> shares;  // of the upper tilt
-  std::vector<float> values;  // of the gap that is being added
+  std::vector<float> values;
+  std::vector<VoxelState> states;
 };
 
 } // namespace nexrad

@@ -5,7 +5,6 @@
 #include "nexrad/Model/SiteKey.h"
 #include "nexrad/Model/SiteTable.h"
 #include "nexrad/System/Error.h"
-#include "nexrad/System/MachineMemory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -111,15 +110,6 @@ double WidestSpread(const std::vector<const BeamVolume*>& volumes)
     }
   }
   return static_cast<double>(widest);
-}
-
-// Whether the weight of a radar (Formulas W4) does not vanish at the farthest it scans.
-bool AlwaysCounts(const MergeSite& site, double overlapLength)
-{
-  constexpr double leastWeight = 1e-30; // above the smallest float
-  const double chord = 2.0 * static_cast<double>(site.levels.radius * site.reach) / overlapLength;
-  const auto least = std::min_element(site.levels.weight.begin(), site.levels.weight.end());
-  return std::exp(-chord * chord) * static_cast<double>(*least) > leastWeight;
 }
 
 std::vector<const VolumeComposite*> CompositesOf(const std::vector<const BeamVolume*>& volumes)
@@ -481,7 +471,7 @@ std::vector<MergeSite> BeamMerger::MakeSites(
     const bool byDistance = StrategyFor(any.moment, options.strategy) == OverlapStrategy::Distance;
     MergeSite site{number, &this->GeometryOf(position),
       SiteLevels(grid, position.altitude, radius, byDistance ? options.overlapLength : 0.0), tilts,
-      {}, ContextFor(any, options, radius), ReachOf(group.second, radius), {}, {}, {}, {}, {}};
+      {}, ContextFor(any, options, radius), ReachOf(group.second, radius), {}, {}, {}, {}};
     const double beamWidth = options.beamWidth.value_or(BeamWidthOf(any.site));
     site.edges = FindEdges(AnglesOf(site.tilts), beamWidth);
     for (const BeamTilt& tilt : site.tilts)
@@ -494,7 +484,6 @@ std::vector<MergeSite> BeamMerger::MakeSites(
     }
     const double way = motion != nullptr ? FarthestWay(site.tilts, *motion) : 0.0;
     site.mask = EchoMask(CompositesOf(group.second), radius, way + WidestSpread(group.second));
-    site.counts = !byDistance || AlwaysCounts(site, options.overlapLength);
     site.north = NorthIn(grid, position);
     sites.push_back(std::move(site));
   }
@@ -522,24 +511,6 @@ void AddNote(const std::vector<const BeamVolume*>& ofSite, std::vector<std::stri
   note << ofSite.front()->site.name << ": volume ends at " << std::round(10.0 * highest) / 10.0
        << "°, cut off";
   notes.push_back(note.str());
-}
-
-} // namespace
-
-namespace
-{
-
-// A level of a grid is pages away from the next: small ones would be looked up for each row.
-template <class Value>
-void Resize(std::vector<Value>& values, std::size_t count)
-{
-  if (values.capacity() < count)
-  {
-    values = {};
-    values.reserve(count);
-    UseHugePages(values.data(), count * sizeof(Value));
-  }
-  values.resize(count);
 }
 
 } // namespace
@@ -573,8 +544,8 @@ GriddedVolume BeamMerger::VolumeToFill(
   }
   const std::size_t count = block.VoxelCount();
   // What used memory holds stays: the merge sets every value.
-  Resize(volume.values, count);
-  Resize(volume.states, count);
+  volume.values.resize(count);
+  volume.states.resize(count);
   if (options.ancillary)
   {
     volume.ancillary = std::move(memory.ancillary);

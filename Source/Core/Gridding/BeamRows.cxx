@@ -29,12 +29,13 @@ public:
   {
   }
 
-  Value* Column(int column) { return values.data() + stride * static_cast<std::size_t>(column); }
-
   void Set(int column, const std::vector<Value>& from)
   {
-    std::copy(from.begin(), from.end(), this->Column(column));
+    std::copy(
+      from.begin(), from.end(), values.begin() + static_cast<std::ptrdiff_t>(stride) * column);
   }
+
+  void SetAll(Value value) { std::fill(values.begin(), values.end(), value); }
 
   // Writes a level of the first `count` columns to where the first of them stands.
   void Write(std::size_t level, int count, Value* to) const
@@ -101,15 +102,16 @@ public:
     {
       this->Sample(i, x, y, count);
     }
-    if (!ancillary && !options.fillColumns && this->IsQuiet())
+    if (present.empty())
     {
-      this->WriteQuiet(x, y, count);
-      return;
+      this->KeepNothing();
     }
-    echoEnd = 0;
-    for (int i = 0; i < count; ++i)
+    else
     {
-      this->MergeColumn(x + i, y, i);
+      for (int i = 0; i < count; ++i)
+      {
+        this->MergeColumn(x + i, y, i);
+      }
     }
     this->Write(x, y, count);
   }
@@ -121,8 +123,6 @@ private:
   {
     std::uint8_t top = 0;
     bool layers = false;
-    bool quiet = false; // SiteColumn
-    LevelRange levels;  // that it scanned, where it is quiet
     ColumnMotion motion;
   };
 
@@ -164,23 +164,11 @@ private:
     for (std::size_t tilt = 0; tilt < tilts; ++tilt)
     {
       TiltSample* to = samples[number].data() + tilt;
-      const bool outermost = tilt == 0 || tilt + 1 == tilts;
       for (int i = begin; i < end; ++i)
       {
-        const Surroundings& own = about[static_cast<std::size_t>(i)];
-        if (outermost || !own.quiet)
-        {
-          to[static_cast<std::size_t>(i) * tilts] =
-            this->SampleColumn(site, tilt, directions[i], own);
-        }
+        to[static_cast<std::size_t>(i) * tilts] =
+          this->SampleColumn(site, tilt, directions[i], about[static_cast<std::size_t>(i)]);
       }
-    }
-    for (int i = begin; i < end; ++i)
-    {
-      Surroundings& own = surroundings[number][static_cast<std::size_t>(i)];
-      own.levels = own.quiet && directions[i].halfTangent <= site.reach
-                     ? column.LevelsOf(this->SeenBy(number, directions[i], i))
-                     : LevelRange();
     }
   }
 
@@ -198,51 +186,22 @@ private:
       {
         about.motion = MotionSeenBy(site, directions[i], options.motion->At(x + i, y));
       }
-      const auto isQuiet = [&](const QuietTilt& tilt)
-      { return about.top < tilt.elevation && IsQuietAbout(tilt, directions[i], site.context); };
-      about.quiet =
-        site.counts && !about.layers && std::all_of(site.quiet.begin(), site.quiet.end(), isQuiet);
     }
-  }
-
-  // Whether no radar has anything over any column of the strip.
-  bool IsQuiet() const
-  {
-    return std::all_of(present.begin(), present.end(),
-      [this](const Present& each)
-      {
-        const auto about = surroundings[each.site].begin();
-        return std::all_of(about + each.begin, about + each.end,
-          [](const Surroundings& column) { return column.quiet; });
-      });
   }
 
   TiltSample SampleColumn(const MergeSite& site, std::size_t tilt, const ColumnDirection& direction,
     const Surroundings& about) const
   {
     const QuietTilt& quiet = site.quiet[tilt];
-    const bool nothing = about.top < quiet.elevation;
-    if (nothing && IsQuietAbout(quiet, direction, site.context))
+    const ColumnMotion* motion =
+      about.top > 0 && options.motion != nullptr ? &about.motion : nullptr;
+    if (about.top >= quiet.elevation)
     {
-      return SampleQuiet(quiet, direction);
+      return SampleTilt(site.tilts, tilt, direction, site.context, motion);
     }
+    const std::optional<TiltSample> known = SampleQuiet(quiet, direction, site.context);
     // What lower tilts hold may still come to a look alone, which moves at its height.
-    const bool moves = about.top > 0 && options.motion != nullptr;
-    return SampleTilt(
-      site.tilts, tilt, direction, site.context, moves ? &about.motion : nullptr, nothing);
-  }
-
-  SiteColumn SeenBy(std::size_t number, const ColumnDirection& direction, int place) const
-  {
-    const MergeSite& site = sites[number];
-    SiteColumn seen;
-    seen.site = site.number;
-    seen.halfTangent = direction.halfTangent;
-    seen.levels = &site.levels;
-    seen.edges = &site.edges;
-    seen.samples = samples[number].data() + static_cast<std::size_t>(place) * site.tilts.size();
-    seen.quiet = surroundings[number][static_cast<std::size_t>(place)].quiet;
-    return seen;
+    return known ? *known : SampleTilt(site.tilts, tilt, direction, site.context, motion, true);
   }
 
   void MergeColumn(int x, int y, int place)
@@ -265,14 +224,22 @@ private:
     std::sort(order.begin(), order.end());
     for (const auto& [halfTangent, number] : order)
     {
-      const SiteGeometry& geometry = *sites[number].geometry;
-      SiteColumn seen = this->SeenBy(number, geometry.Row(y)[x - geometry.BeginX()], place);
-      seen.weight = this->WeightAt(sites[number], halfTangent);
+      const MergeSite& site = sites[number];
+      SiteColumn seen;
+      seen.site = site.number;
+      seen.halfTangent = halfTangent;
+      seen.weight = this->WeightAt(site, halfTangent);
+      seen.levels = &site.levels;
+      seen.edges = &site.edges;
+      seen.samples = samples[number].data() + static_cast<std::size_t>(place) * site.tilts.size();
       seen.layers = this->FindLayers(number, x, y, place) ? layers.data() : nullptr;
       column.Add(seen);
     }
-    echoEnd = std::max(echoEnd,
-      column.Finish(volume.fill, options.fillColumns, values.Column(place), states.Column(place)));
+    column.Finish(volume.fill);
+    if (options.fillColumns)
+    {
+      column.FillColumn();
+    }
     this->Keep(place);
   }
 
@@ -303,6 +270,8 @@ private:
 
   void Keep(int place)
   {
+    values.Set(place, column.Values());
+    states.Set(place, column.States());
     if (ancillary)
     {
       ages.Set(place, column.Ages());
@@ -312,58 +281,28 @@ private:
     }
   }
 
-  // The place of a strip's first column in the lowest level of the block.
-  std::size_t PlaceOf(int x, int y) const
+  // A strip that no radar sees.
+  void KeepNothing()
   {
-    const VoxelBlock& block = options.block;
-    return static_cast<std::size_t>(y - block.begin[1]) * static_cast<std::size_t>(block.Size(0)) +
-           static_cast<std::size_t>(x - block.begin[0]);
-  }
-
-  std::size_t PlaneSize() const
-  {
-    return static_cast<std::size_t>(options.block.Size(0)) *
-           static_cast<std::size_t>(options.block.Size(1));
-  }
-
-  // Writes a strip in which no radar has anything: no echo where one scanned.
-  void WriteQuiet(int x, int y, int count)
-  {
-    std::size_t at = this->PlaceOf(x, y);
-    for (int level = options.block.begin[2]; level < options.block.end[2]; ++level)
-    {
-      std::array<std::uint8_t, stripWidth> scanned{};
-      for (const Present& each : present)
-      {
-        const Surroundings* about = surroundings[each.site].data();
-        for (int i = each.begin; i < each.end; ++i)
-        {
-          const LevelRange& own = about[i].levels;
-          scanned[static_cast<std::size_t>(i)] |=
-            static_cast<std::uint8_t>(level >= own.from && level < own.to ? 1 : 0);
-        }
-      }
-      std::fill_n(volume.values.data() + at, count, volume.fill);
-      std::transform(scanned.begin(), scanned.begin() + count, volume.states.data() + at,
-        [](std::uint8_t seen) { return seen != 0 ? VoxelState::NoEcho : VoxelState::NotScanned; });
-      at += this->PlaneSize();
-    }
+    values.SetAll(volume.fill);
+    states.SetAll(VoxelState::NotScanned);
+    ages.SetAll(0.0F);
+    weights.SetAll(0.0F);
+    radars.SetAll(0);
+    nearestSites.SetAll(BeamColumn::NoSite);
   }
 
   void Write(int x, int y, int count) const
   {
-    std::size_t at = this->PlaceOf(x, y);
-    for (auto level = static_cast<std::size_t>(options.block.begin[2]);
-         level < static_cast<std::size_t>(options.block.end[2]); ++level)
+    const VoxelBlock& block = options.block;
+    const auto width = static_cast<std::size_t>(block.Size(0));
+    const auto plane = width * static_cast<std::size_t>(block.Size(1));
+    std::size_t at = static_cast<std::size_t>(y - block.begin[1]) * width +
+                     static_cast<std::size_t>(x - block.begin[0]);
+    for (auto level = static_cast<std::size_t>(block.begin[2]);
+         level < static_cast<std::size_t>(block.end[2]); ++level, at += plane)
     {
-      if (level < static_cast<std::size_t>(echoEnd))
-      {
-        values.Write(level, count, volume.values.data() + at);
-      }
-      else
-      {
-        std::fill_n(volume.values.data() + at, count, volume.fill);
-      }
+      values.Write(level, count, volume.values.data() + at);
       states.Write(level, count, volume.states.data() + at);
       if (ancillary)
       {
@@ -372,7 +311,6 @@ private:
         radars.Write(level, count, volume.ancillary.radars.data() + at);
         nearestSites.Write(level, count, volume.ancillary.nearestSite.data() + at);
       }
-      at += this->PlaneSize();
     }
   }
 
@@ -381,7 +319,6 @@ private:
   GriddedVolume& volume;
   const std::size_t levels;
   const bool ancillary;
-  int echoEnd = 0; // first level above all echo of the strip
   BeamColumn column;
   Strip<float> values;
   Strip<VoxelState> states;

@@ -32,7 +32,6 @@ struct MergeSite
   std::vector<QuietTilt> quiet;             ///< of the tilts
   SiteLayers layers;                        ///< none unless they are followed
   EchoMask mask;                            ///< where echo is, or may move from or to
-  bool counts = false;                      ///< its weight is above 0 wherever it scans
 };
 
 /// What is done with the radars.

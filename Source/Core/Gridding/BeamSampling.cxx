@@ -746,34 +746,24 @@ QuietTilt FindQuiet(const BeamTilt& tilt, const SamplingContext& context)
   return quiet;
 }
 
-namespace
-{
-
-inline bool IsInside(const QuietTilt& quiet, float t)
-{
-  return t > quiet.nearest && t < quiet.farthest;
-}
-
-} // namespace
-
-bool IsQuietAbout(
+std::optional<TiltSample> SampleQuiet(
   const QuietTilt& quiet, const ColumnDirection& column, const SamplingContext& context)
 {
   const float t = column.halfTangent;
-  return quiet.before != nullptr &&
-         (IsInside(quiet, t) ||
-           (t > quiet.farthest * (1.0F + 4.0F * tangentMargin) &&
-             BeyondReach(*quiet.before, column, context) == VoxelState::NoEcho &&
-             BeyondReach(*quiet.after, column, context) == VoxelState::NoEcho));
-}
-
-TiltSample SampleQuiet(const QuietTilt& quiet, const ColumnDirection& column)
-{
+  const bool inside = t > quiet.nearest && t < quiet.farthest;
+  const bool nothingBeyond = t > quiet.farthest * (1.0F + 4.0F * tangentMargin) &&
+                             quiet.before != nullptr &&
+                             BeyondReach(*quiet.before, column, context) == VoxelState::NoEcho &&
+                             BeyondReach(*quiet.after, column, context) == VoxelState::NoEcho;
+  if (quiet.before == nullptr || !(inside || nothingBeyond))
+  {
+    return std::nullopt;
+  }
   const float before = ElevationOf(*quiet.before, FindRays(*quiet.before, column.azimuth));
   const float after = ElevationOf(*quiet.after, FindRays(*quiet.after, column.azimuth));
   TiltSample sample;
   sample.state = VoxelState::NoEcho;
-  sample.assumed = !IsInside(quiet, column.halfTangent);
+  sample.assumed = !inside;
   sample.lowest = std::min(before, after);
   sample.highest = std::max(before, after);
   sample.fade = 1.0F;

@@ -6,6 +6,7 @@
 #include "nexrad/Polar/GateCode.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace nexrad
@@ -48,13 +49,10 @@ struct QuietTilt
 /// Unknown too while TiltSample::age is wanted, which differs from ray to ray.
 QuietTilt FindQuiet(const BeamTilt& tilt, const SamplingContext& context);
 
-/// Whether SampleQuiet tells what SampleTilt does for a column about which no sweep as high as
-/// `quiet.elevation` holds anything but no echo.
-bool IsQuietAbout(
+/// SampleTilt for a column about which no sweep as high as `quiet.elevation` holds anything but no
+/// echo; empty where it must be asked.
+std::optional<TiltSample> SampleQuiet(
   const QuietTilt& quiet, const ColumnDirection& column, const SamplingContext& context);
-
-/// No echo in the observations of a quiet tilt over a column.
-TiltSample SampleQuiet(const QuietTilt& quiet, const ColumnDirection& column);
 
 /// Samples one of a radar's tilts over a column: bilinear in azimuth and range in the last
 /// observation at or before the time and in the first one after it, then linear in time (Formulas
