@@ -23,7 +23,8 @@ struct VolumeUse
 };
 
 /// The most memory that a run of merges has at a time, by what it is for, bytes. An estimate from
-/// the sizes of the buffers; what a run takes is within a fifth of it.
+/// the sizes of the buffers; what a run takes is within a fifth of it, but more where one file,
+/// which counts as one time, holds several volumes.
 struct MemoryNeed
 {
   std::size_t voxels = 0;   ///< merged volumes, and what is made of them
