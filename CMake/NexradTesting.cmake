@@ -8,7 +8,8 @@ include(GoogleTest)
 # names and that are not to stay APART: processes take long to start under the sanitisers, and where they draw.
 # Labels: "quick" (the default), "display" needs an X server, "slow" is neither built nor run under the sanitisers.
 # NOT_SANITIZED names tests of others, as --gtest_filter does, that do not run there: they take long, and the code that
-# they run is that of tests which do.
+# they run is that of tests which do. With VTKNexrad_REPEAT_SANITIZED off, a build without sanitisers has of Core only
+# what these leave out: the slow tests, and those of NOT_SANITIZED.
 # CTest never runs two tests at once whose programs LOCK the same thing, as "screen": its keyboard goes to one window.
 function(nexrad_add_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "TOGETHER;APART" "TIMEOUT;LABEL;LOCK;NOT_SANITIZED" "SOURCES;LIBRARIES")
@@ -49,13 +50,18 @@ function(nexrad_add_test name)
     set(arg_TOGETHER ON)
     set(arg_TIMEOUT 900)
   endif()
-  if(VTKNexrad_SANITIZE AND arg_LABEL STREQUAL "slow")
+  set(filter "*")
+  if(VTKNexrad_SANITIZE)
+    set(filter "*-${arg_NOT_SANITIZED}")
+    if(arg_LABEL STREQUAL "slow")
+      set(filter "")
+    endif()
+  elseif(nexrad_tests_of_dev_core AND NOT VTKNexrad_REPEAT_SANITIZED AND NOT arg_LABEL STREQUAL "slow")
+    set(filter "${arg_NOT_SANITIZED}")
+  endif()
+  if(filter STREQUAL "")
     set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
     return()
-  endif()
-  set(filter "*")
-  if(VTKNexrad_SANITIZE AND arg_NOT_SANITIZED)
-    set(filter "-${arg_NOT_SANITIZED}")
   endif()
   set(properties TIMEOUT ${arg_TIMEOUT} LABELS ${arg_LABEL} COST ${cost})
   if(arg_LOCK)

@@ -36,7 +36,7 @@ GriddedVolume DirectMerge::At(Time time) const
 }
 
 std::optional<GriddedVolume> MergeDirectly(const std::vector<const PolarVolume*>& volumes,
-  const MergeRequest& request, const Progress& progress, MergeRun* run)
+  const MergeRequest& request, const Progress& progress, DirectRun* run)
 {
   Catalogue catalogue;
   for (const PolarVolume* const& volume : volumes)
@@ -47,16 +47,22 @@ std::optional<GriddedVolume> MergeDirectly(const std::vector<const PolarVolume*>
     description.end = volume->end;
     catalogue.Of(volume->site).Put(description);
   }
+  DirectRun once;
+  DirectRun& kept = run != nullptr ? *run : once;
   std::vector<ReadyVolume> ready;
   for (const ChosenVolume& each :
     catalogue.ChosenAt(request.time, VolumeRuleOf(request), {MomentName::REF}))
   {
-    const std::shared_ptr<const PolarVolume> notOwned(
-      std::shared_ptr<void>(), volumes[each.volume->input]);
-    ready.push_back(MakeReady(notOwned, request));
+    const PolarVolume* const volume = volumes[each.volume->input];
+    ReadyVolume& made = kept.ready[volume];
+    if (!made.polar && !made.beam)
+    {
+      const std::shared_ptr<const PolarVolume> notOwned(std::shared_ptr<void>(), volume);
+      made = MakeReady(notOwned, request);
+    }
+    ready.push_back(made);
   }
-  MergeRun once;
-  return MergeVolumes(ready, request, progress, run != nullptr ? *run : once);
+  return MergeVolumes(ready, request, progress, kept.merge);
 }
 
 } // namespace nexrad::testing

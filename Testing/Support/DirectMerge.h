@@ -4,6 +4,7 @@
 #include "nexrad/Merging/TimeMerge.h"
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -27,8 +28,16 @@ private:
   SeriesScan scan;
 };
 
+/// Merges at several times, or of several blocks, by requests that differ in nothing else: each
+/// volume is made ready once.
+struct DirectRun
+{
+  MergeRun merge;
+  std::map<const PolarVolume*, ReadyVolume> ready;
+};
+
 /// Merges volumes of any number of sites, in any order: of each site those about the time.
 std::optional<GriddedVolume> MergeDirectly(const std::vector<const PolarVolume*>& volumes,
-  const MergeRequest& request, const Progress& progress = {}, MergeRun* run = nullptr);
+  const MergeRequest& request, const Progress& progress = {}, DirectRun* run = nullptr);
 
 } // namespace nexrad::testing

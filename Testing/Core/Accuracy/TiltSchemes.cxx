@@ -5,24 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace nexrad
 {
 
 namespace
 {
-
-// Without a value where no gate has its middle within half a gate.
-std::optional<double> MeasuredAtRange(
-  const testing::NumberSweep& sweep, std::size_t ray, double range)
-{
-  const long gate = std::lround((range - sweep.firstGate) / sweep.gateSpacing);
-  if (gate < 0 || gate >= static_cast<long>(sweep.gates))
-  {
-    return std::nullopt;
-  }
-  return MeasuredAt(sweep, ray, static_cast<std::size_t>(gate));
-}
 
 GridSpecification GridAbout(const Position& site, double farthest, double top)
 {
@@ -60,6 +49,14 @@ SortedTilt::SortedTilt(const PolarSweep& ofSweep)
   : sweep(testing::NumbersOf(ofSweep))
   , elevation(MedianElevation(ofSweep))
 {
+  for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
+  {
+    for (std::size_t gate = 0; gate < sweep.gates; ++gate)
+    {
+      measured.push_back(static_cast<float>(
+        MeasuredAt(sweep, ray, gate).value_or(std::numeric_limits<double>::quiet_NaN())));
+    }
+  }
   for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
   {
     for (const double turn : {-360.0, 0.0, 360.0})
@@ -102,10 +99,13 @@ ElevationProfile NearestScheme::ProfileAt(double azimuth, double range) const
   std::vector<std::pair<double, double>> gates; // elevation and value
   for (const SortedTilt& tilt : tilts)
   {
+    const testing::NumberSweep& sweep = tilt.sweep;
     const std::size_t ray = tilt.Nearest(azimuth).second;
-    if (const auto value = MeasuredAtRange(tilt.sweep, ray, range))
+    const long gate = std::lround((range - sweep.firstGate) / sweep.gateSpacing);
+    const bool isWithin = gate >= 0 && gate < static_cast<long>(sweep.gates);
+    if (const float value = isWithin ? tilt.Gates(ray)[gate] : NAN; !std::isnan(value))
     {
-      gates.emplace_back(static_cast<double>(tilt.sweep.rays[ray].elevation), *value);
+      gates.emplace_back(static_cast<double>(sweep.rays[ray].elevation), value);
     }
   }
   return [gates](double elevation) -> std::optional<double>
@@ -135,21 +135,24 @@ BarnesScheme::TiltSum BarnesScheme::SumOver(
   const auto first = static_cast<std::size_t>(std::max(gateAt(range - window), 0.0));
   const auto end =
     std::min(sweep.gates, static_cast<std::size_t>(std::max(gateAt(range + window), 0.0)));
+  const auto weightOf = [scale = 1.0 / (lengths.horizontal * lengths.horizontal)](double off)
+  { return std::exp(-off * off * scale); };
+  std::vector<double> along;
+  for (std::size_t gate = first; gate < end; ++gate)
+  {
+    along.push_back(
+      weightOf(sweep.firstGate + sweep.gateSpacing * static_cast<double>(gate) - range));
+  }
   TiltSum sum{tilt.elevation, 0.0, 0.0};
   const auto add = [&](const SortedTilt::Ray& ray)
   {
-    const double aside = (ray.first - azimuth) * across;
-    for (std::size_t gate = first; gate < end; ++gate)
+    const double aside = weightOf((ray.first - azimuth) * across);
+    const float* const gates = tilt.Gates(ray.second) + first;
+    for (std::size_t gate = 0; gate < along.size(); ++gate)
     {
-      if (const auto value = MeasuredAt(sweep, ray.second, gate))
-      {
-        const double along =
-          sweep.firstGate + sweep.gateSpacing * static_cast<double>(gate) - range;
-        const double weight =
-          std::exp(-(along * along + aside * aside) / (lengths.horizontal * lengths.horizontal));
-        sum.values += weight * *value;
-        sum.weights += weight;
-      }
+      const double weight = std::isnan(gates[gate]) ? 0.0 : aside * along[gate];
+      sum.values += weight > 0.0 ? weight * gates[gate] : 0.0;
+      sum.weights += weight;
     }
   };
   tilt.Visit(azimuth, std::max(window / across, 0.6), add);
@@ -195,12 +198,13 @@ MergedScheme::MergedScheme(
 
 ElevationProfile MergedScheme::ProfileAt(double azimuth, double range) const
 {
-  return [this, azimuth, range](double elevation)
+  const double east = std::sin(azimuth * RadiansPerDegree);
+  const double north = std::cos(azimuth * RadiansPerDegree);
+  return [this, east, north, range](double elevation)
   {
     const BeamPoint point = beam.Locate(range, elevation);
-    const double angle = azimuth * RadiansPerDegree;
-    return this->At({point.groundDistance * std::sin(angle), point.groundDistance * std::cos(angle),
-      point.height + altitude});
+    return this->At(
+      {point.groundDistance * east, point.groundDistance * north, point.height + altitude});
   };
 }
 

@@ -44,10 +44,14 @@ public:
   /// Calls `visit` with the rays within `window` degrees.
   void Visit(double azimuth, double window, const std::function<void(const Ray&)>& visit) const;
 
+  /// What the gates of a ray measured, as MeasuredAt gives it, but NaN for nothing.
+  const float* Gates(std::size_t ray) const { return measured.data() + sweep.Index(ray, 0); }
+
   testing::NumberSweep sweep;
   double elevation; ///< degrees
 
 private:
+  std::vector<float> measured;
   std::vector<Ray> rays;
 };
 

@@ -92,7 +92,7 @@ public:
 private:
   std::vector<const PolarVolume*> pointers;
   MergeRequest request;
-  MergeRun run;
+  DirectRun run;
 };
 
 BeamMergeOptions WithAncillaryArrays(OverlapStrategy strategy = OverlapStrategy::Distance)

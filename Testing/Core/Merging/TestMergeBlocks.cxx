@@ -128,7 +128,7 @@ void ExpectBlocksOfTheWhole(MergeRequest request, const std::vector<VoxelBlock>&
   const GriddedVolume whole = *testing::MergeDirectly(volumes, request);
   ASSERT_AT_LEAST(
     std::count(whole.states.begin(), whole.states.end(), VoxelState::Echo), 700, "voxels of echo");
-  MergeRun run;
+  testing::DirectRun run;
   for (const VoxelBlock& block : blocks)
   {
     SCOPED_TRACE(std::to_string(block.begin[0]) + "," + std::to_string(block.begin[1]) + "," +

@@ -50,7 +50,7 @@ std::vector<GriddedVolume> MergeMinutes(const std::vector<PolarVolume>& volumes)
   grid.dimensions = {192, 192, 16};
   MergeRequest request;
   request.grid = MakeGrid(grid, {volumes.front().site.position.value()});
-  MergeRun run;
+  nexrad::testing::DirectRun run;
   std::vector<GriddedVolume> minutes;
   for (const Time time : TimeSteps(first, last, 1min))
   {

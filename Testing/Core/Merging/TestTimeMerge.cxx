@@ -165,7 +165,7 @@ TEST(TimeMerge, MotionDoesNotDependOnWhatWasMergedBefore)
 {
   const std::vector<PolarVolume> volumes = ScanStorms();
   std::vector<const PolarVolume*> pointers = PointersTo(volumes);
-  MergeRun run;
+  testing::DirectRun run;
   for (const Duration after : {Duration(20s), Duration(4min), Duration(11min), Duration(8min),
          Duration(14min), Duration(4min)})
   {
