@@ -91,30 +91,34 @@ VoxelState MomentCode::StateOf(unsigned code)
   }
 }
 
-std::vector<std::uint8_t> MomentCode::EncodeAll(const GriddedVolume& volume) const
+std::size_t MomentCode::ByteCount(const GriddedVolume& volume) const
 {
   CheckVoxelCount(volume);
-  const std::size_t count = volume.states.size();
-  std::vector<std::uint8_t> codes(bytes * count); // the higher bytes of the states are 0
-  std::transform(volume.states.begin(), volume.states.end(), codes.begin(),
-    [](VoxelState state)
-    {
-      return static_cast<std::uint8_t>(
-        state == VoxelState::NotScanned ? NotScannedCode : NoEchoCode);
-    });
-  std::uint8_t* const lower = codes.data();
-  std::uint8_t* const higher = bytes == 2 ? lower + count : nullptr;
-  ForEachEcho(volume.states.data(), count,
-    [&](std::size_t i)
-    {
-      const unsigned code = this->Encode(volume.values[i]);
-      lower[i] = static_cast<std::uint8_t>(code);
-      if (higher)
-      {
-        higher[i] = static_cast<std::uint8_t>(code >> 8);
-      }
-    });
-  return codes;
+  return bytes * volume.states.size();
+}
+
+void MomentCode::WriteBytes(
+  const GriddedVolume& volume, std::size_t first, std::size_t count, std::uint8_t* to) const
+{
+  const std::size_t voxels = volume.states.size();
+  const std::size_t lower = first < voxels ? std::min(count, voxels - first) : 0;
+  const auto write = [&](std::size_t voxel, std::size_t length, unsigned shift)
+  {
+    const VoxelState* states = volume.states.data() + voxel;
+    const auto codeOf = [shift](VoxelState state)
+    { return state == VoxelState::NotScanned ? NotScannedCode >> shift : NoEchoCode; };
+    std::transform(states, states + length, to,
+      [&codeOf](VoxelState state) { return static_cast<std::uint8_t>(codeOf(state)); });
+    ForEachEcho(states, length,
+      [&](std::size_t i)
+      { to[i] = static_cast<std::uint8_t>(this->Encode(volume.values[voxel + i]) >> shift); });
+    to += length;
+  };
+  write(first, lower, 0);
+  if (count > lower)
+  {
+    write(first + lower - voxels, count - lower, 8);
+  }
 }
 
 void MomentCode::DecodeAll(const std::vector<std::uint8_t>& codes, GriddedVolume& volume) const

@@ -59,10 +59,14 @@ struct MomentCode
   /// The value of an echo's code.
   float ValueOf(unsigned code) const { return static_cast<float>(offset + scale * code); }
 
-  /// Codes of all voxels: a byte each, or the lower bytes of all and then the higher bytes of all.
-  /// Throws Error when the volume has not as many values and states as voxels.
-  std::vector<std::uint8_t> EncodeAll(const GriddedVolume& volume) const;
-  /// Sets values and states of a volume from what EncodeAll gives; voxels without echo get the
+  /// Bytes that the codes of all voxels take. Throws Error when the volume has not as many values
+  /// and states as voxels.
+  std::size_t ByteCount(const GriddedVolume& volume) const;
+  /// Writes the bytes [first, first + count) of the codes of all voxels to `to`: these are a byte
+  /// each, or the lower bytes of all and then the higher bytes of all.
+  void WriteBytes(
+    const GriddedVolume& volume, std::size_t first, std::size_t count, std::uint8_t* to) const;
+  /// Sets values and states of a volume from all bytes of their codes; voxels without echo get the
   /// volume's fill.
   void DecodeAll(const std::vector<std::uint8_t>& codes, GriddedVolume& volume) const;
 };

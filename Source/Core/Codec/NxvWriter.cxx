@@ -10,6 +10,7 @@
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -31,10 +32,10 @@ struct FileContent
   NxvHeader header;
   std::vector<Bytes> payloads;
 
-  void AddDeflated(NxvArray array, const Bytes& bytes, DeflateSearch search)
+  void AddDeflated(NxvArray array, std::size_t size, DeflateSearch search, const ByteSource& source)
   {
     array.storage = NxvStorage::Deflated;
-    DeflatedPieces deflated = DeflateInPieces(bytes.data(), bytes.size(), pieceSize, search);
+    DeflatedPieces deflated = DeflateInPieces(source, size, pieceSize, search);
     if (deflated.lengths.size() > 1)
     {
       array.pieceBytes = pieceSize;
@@ -52,37 +53,46 @@ struct FileContent
   }
 };
 
-void AppendLittleEndian(Bytes& bytes, std::uint32_t word)
+std::uint8_t* WriteLittleEndian(std::uint32_t word, std::uint8_t* to)
 {
   for (unsigned shift = 0; shift < 32; shift += 8)
   {
-    bytes.push_back(static_cast<std::uint8_t>(word >> shift));
+    *to++ = static_cast<std::uint8_t>(word >> shift);
   }
+  return to;
 }
 
-Bytes FloatBytes(const std::vector<float>& values)
+// Bytes of floats, of which whole ones are asked for.
+ByteSource FloatBytes(const std::vector<float>& values)
 {
-  Bytes bytes;
-  bytes.reserve(values.size() * sizeof(float));
-  for (const float value : values)
+  return [&values](std::size_t first, std::size_t count, std::uint8_t* to)
   {
-    std::uint32_t word = 0;
-    std::memcpy(&word, &value, sizeof(word));
-    AppendLittleEndian(bytes, word);
-  }
-  return bytes;
+    for (std::size_t i = first / sizeof(float); i < (first + count) / sizeof(float); ++i)
+    {
+      std::uint32_t word = 0;
+      std::memcpy(&word, &values[i], sizeof(word));
+      to = WriteLittleEndian(word, to);
+    }
+  };
 }
 
-Bytes StateBytes(const std::vector<VoxelState>& states)
+// One byte for each voxel: what `byteOf` makes of its index.
+template <class ByteOf>
+ByteSource BytesOfVoxels(const ByteOf& byteOf)
 {
-  Bytes bytes(states.size());
-  std::transform(states.begin(), states.end(), bytes.begin(),
-    [](VoxelState state)
+  return [byteOf](std::size_t first, std::size_t count, std::uint8_t* to)
+  {
+    for (std::size_t i = first; i < first + count; ++i)
     {
-      const bool beyond = state == VoxelState::Filtered; // in an array of its own
-      return static_cast<std::uint8_t>(beyond ? VoxelState::NoEcho : state);
-    });
-  return bytes;
+      *to++ = static_cast<std::uint8_t>(byteOf(i));
+    }
+  };
+}
+
+// Filtered is in an array of its own.
+VoxelState StateInFile(VoxelState state)
+{
+  return state == VoxelState::Filtered ? VoxelState::NoEcho : state;
 }
 
 NxvArray MomentArray(const GriddedVolume& volume)
@@ -94,13 +104,15 @@ NxvArray MomentArray(const GriddedVolume& volume)
   return array;
 }
 
-void AddStates(FileContent& content, MomentName moment, const Bytes& states)
+// `stateOf` gives the state that the file has of a voxel.
+template <class StateOf>
+void AddStates(FileContent& content, const GriddedVolume& volume, const StateOf& stateOf)
 {
   NxvArray array;
-  array.name = std::string(ToString(moment)) + "_state";
+  array.name = std::string(ToString(volume.moment)) + "_state";
   array.type = NxvType::UInt8;
   array.fill = static_cast<double>(VoxelState::NotScanned);
-  content.AddDeflated(array, states, DeflateSearch::Runs);
+  content.AddDeflated(array, volume.states.size(), DeflateSearch::Runs, BytesOfVoxels(stateOf));
 }
 
 bool Holds(const std::vector<VoxelState>& states, VoxelState state)
@@ -117,13 +129,12 @@ void AddFiltered(FileContent& content, const GriddedVolume& volume)
   {
     return;
   }
-  Bytes filtered(volume.states.size());
-  std::transform(volume.states.begin(), volume.states.end(), filtered.begin(),
-    [](VoxelState state) { return static_cast<std::uint8_t>(state == VoxelState::Filtered); });
   NxvArray array;
   array.name = std::string(ToString(volume.moment)) + "_filtered";
   array.type = NxvType::UInt8;
-  content.AddDeflated(array, filtered, DeflateSearch::Runs);
+  content.AddDeflated(array, volume.states.size(), DeflateSearch::Runs,
+    BytesOfVoxels(
+      [&states = volume.states](std::size_t i) { return states[i] == VoxelState::Filtered; }));
 }
 
 void AddFloats(FileContent& content, const GriddedVolume& volume)
@@ -131,32 +142,27 @@ void AddFloats(FileContent& content, const GriddedVolume& volume)
   CheckVoxelCount(volume);
   NxvArray array = MomentArray(volume);
   array.type = NxvType::Float32;
-  content.AddDeflated(array, FloatBytes(volume.values), DeflateSearch::Repeats);
-  AddStates(content, volume.moment, StateBytes(volume.states));
+  content.AddDeflated(
+    array, volume.values.size() * sizeof(float), DeflateSearch::Repeats, FloatBytes(volume.values));
+  AddStates(
+    content, volume, [&states = volume.states](std::size_t i) { return StateInFile(states[i]); });
   AddFiltered(content, volume);
 }
 
-// The states that the 7-bit codes stand for, but range folded where the volume has it. The echoes
-// that became code 0 are no echo, with the array of states as without.
-Bytes StatesOfCodes(const Bytes& codes, const std::vector<VoxelState>& states)
-{
-  Bytes bytes(codes.size());
-  for (std::size_t i = 0; i < bytes.size(); ++i)
-  {
-    const bool folded = states[i] == VoxelState::RangeFolded;
-    bytes[i] =
-      static_cast<std::uint8_t>(folded ? VoxelState::RangeFolded : ThesisCode::StateOf(codes[i]));
-  }
-  return bytes;
-}
-
+// The array of states has those that the 7-bit codes stand for, but range folded. Echoes that
+// became code 0 are no echo, with the array of states as without.
 void AddThesisStream(FileContent& content, const GriddedVolume& volume)
 {
   const Bytes codes = ThesisCode::EncodeAll(volume);
   content.Add(MomentArray(volume), EncodeRunLength(codes));
   if (Holds(volume.states, VoxelState::RangeFolded))
   {
-    AddStates(content, volume.moment, StatesOfCodes(codes, volume.states));
+    AddStates(content, volume,
+      [&codes, &states = volume.states](std::size_t i)
+      {
+        const bool folded = states[i] == VoxelState::RangeFolded;
+        return folded ? VoxelState::RangeFolded : ThesisCode::StateOf(codes[i]);
+      });
   }
   AddFiltered(content, volume);
 }
@@ -169,17 +175,18 @@ void AddRadarSteps(FileContent& content, const GriddedVolume& volume)
   array.type = code.bytes == 1 ? NxvType::UInt8 : NxvType::UInt16;
   array.offset = code.offset;
   array.scale = code.scale;
-  content.AddDeflated(array, code.EncodeAll(volume), DeflateSearch::Runs);
+  content.AddDeflated(array, code.ByteCount(volume), DeflateSearch::Runs,
+    [&](std::size_t first, std::size_t count, std::uint8_t* to)
+    { code.WriteBytes(volume, first, count, to); });
   if (Holds(volume.states, VoxelState::RangeFolded))
   {
-    Bytes states = StateBytes(volume.states);
-    ForEachEcho(volume.states.data(), states.size(),
-      [&](std::size_t i)
+    AddStates(content, volume,
+      [&volume](std::size_t i)
       {
-        states[i] = static_cast<std::uint8_t>(
-          std::isnan(volume.values[i]) ? VoxelState::NotScanned : VoxelState::Echo);
+        const VoxelState state = StateInFile(volume.states[i]);
+        const bool isNumber = state != VoxelState::Echo || !std::isnan(volume.values[i]);
+        return isNumber ? state : VoxelState::NotScanned;
       });
-    AddStates(content, volume.moment, states);
   }
   AddFiltered(content, volume);
 }
@@ -197,16 +204,7 @@ double RoundScale(const std::vector<float>& values, double finest)
                                    : decade * (largest <= 255.0 * 2.0 * decade ? 2.0 : 5.0);
 }
 
-Bytes CodeBytes(const std::vector<float>& values, double scale)
-{
-  Bytes bytes(values.size());
-  std::transform(values.begin(), values.end(), bytes.begin(),
-    [scale](float value)
-    { return static_cast<std::uint8_t>(std::lround(static_cast<double>(value) / scale)); });
-  return bytes;
-}
-
-Bytes MakeAncillaryArray(NxvArray& array, const std::vector<float>& values, bool exact)
+ByteSource AncillaryBytes(NxvArray& array, const std::vector<float>& values, bool exact)
 {
   if (exact)
   {
@@ -214,12 +212,13 @@ Bytes MakeAncillaryArray(NxvArray& array, const std::vector<float>& values, bool
     return FloatBytes(values);
   }
   array.scale = RoundScale(values, array.unit == "s" ? 1.0 : 0.01);
-  return CodeBytes(values, array.scale);
+  return BytesOfVoxels([&values, scale = array.scale](std::size_t i)
+    { return std::lround(static_cast<double>(values[i]) / scale); });
 }
 
-Bytes MakeAncillaryArray(NxvArray&, const std::vector<std::uint8_t>& values, bool)
+ByteSource AncillaryBytes(NxvArray&, const std::vector<std::uint8_t>& values, bool)
 {
-  return values;
+  return BytesOfVoxels([&values](std::size_t i) { return values[i]; });
 }
 
 template <class Values>
@@ -256,8 +255,9 @@ void AddAncillary(FileContent& content, const GriddedVolume& volume, bool exact)
     array.type = NxvType::UInt8;
     array.unit = name == "age" ? "s" : "";
     array.fill = name == "site" ? AncillaryArrays::NoSite : 0.0;
-    const Bytes bytes = MakeAncillaryArray(array, values, exact);
-    content.AddDeflated(array, bytes, DeflateSearch::Repeats);
+    const ByteSource source = AncillaryBytes(array, values, exact);
+    const std::size_t each = array.type == NxvType::Float32 ? sizeof(float) : 1;
+    content.AddDeflated(array, values.size() * each, DeflateSearch::Repeats, source);
   };
   ForEachAncillaryArray(volume.ancillary, add);
 }
@@ -287,8 +287,8 @@ void WriteContent(const std::filesystem::path& path, const FileContent& content)
     throw Error(path.string() + ": the header would be longer than " +
                 std::to_string(NxvLargestHeader) + " bytes");
   }
-  Bytes start = {'N', 'X', 'V', '1'};
-  AppendLittleEndian(start, static_cast<std::uint32_t>(header.size()));
+  std::array<std::uint8_t, 8> start = {'N', 'X', 'V', '1'};
+  WriteLittleEndian(static_cast<std::uint32_t>(header.size()), start.data() + 4);
   AtomicFile file(path);
   file.Write(start.data(), start.size());
   file.Write(header.data(), header.size());

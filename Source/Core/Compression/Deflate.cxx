@@ -165,20 +165,25 @@ void InflatePiece(
 std::vector<std::uint8_t> DeflateBytes(
   const std::uint8_t* data, std::size_t size, DeflateSearch search)
 {
-  return DeflateInPieces(data, size, std::max<std::size_t>(size, 1), search).stream;
+  Deflater deflater(search);
+  std::vector<std::uint8_t> stream;
+  Deflate(deflater, data, size, Z_FINISH, stream);
+  return stream;
 }
 
 DeflatedPieces DeflateInPieces(
-  const std::uint8_t* data, std::size_t size, std::size_t pieceSize, DeflateSearch search)
+  const ByteSource& source, std::size_t size, std::size_t pieceSize, DeflateSearch search)
 {
   Deflater deflater(search);
   DeflatedPieces pieces;
+  std::vector<std::uint8_t> bytes(std::min(pieceSize, size));
   std::size_t begin = 0;
   do
   {
     const std::size_t piece = std::min(pieceSize, size - begin);
+    source(begin, piece, bytes.data());
     const std::size_t before = pieces.stream.size();
-    Deflate(deflater, data + begin, piece, begin + piece == size ? Z_FINISH : Z_FULL_FLUSH,
+    Deflate(deflater, bytes.data(), piece, begin + piece == size ? Z_FINISH : Z_FULL_FLUSH,
       pieces.stream);
     pieces.lengths.push_back(pieces.stream.size() - before);
     begin += piece;

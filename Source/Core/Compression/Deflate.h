@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace nexrad
@@ -28,10 +29,14 @@ struct DeflatedPieces
   std::vector<std::uint64_t> lengths; ///< bytes of the stream that belong to each piece
 };
 
-/// Compresses bytes into one zlib stream of pieces. Each piece holds `pieceSize` of the bytes, the
-/// last one what is left, and ends at a full flush (RFC 1951: an empty stored block, after which
-/// nothing refers to what came before). The stream of a single piece is that of DeflateBytes.
-DeflatedPieces DeflateInPieces(const std::uint8_t* data, std::size_t size, std::size_t pieceSize,
+/// Writes the bytes [first, first + count) of what is compressed to `to`.
+using ByteSource = std::function<void(std::size_t first, std::size_t count, std::uint8_t* to)>;
+
+/// Compresses `size` bytes into one zlib stream of pieces. Each piece holds `pieceSize` of the
+/// bytes, the last one what is left, and ends at a full flush (RFC 1951: an empty stored block,
+/// after which nothing refers to what came before). The source is asked for one piece after the
+/// other. The stream of a single piece is that of DeflateBytes.
+DeflatedPieces DeflateInPieces(const ByteSource& source, std::size_t size, std::size_t pieceSize,
   DeflateSearch search = DeflateSearch::Repeats);
 
 /// Decompresses a zlib stream that must give exactly `size` bytes into `target`. Throws Error when

@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <functional>
@@ -332,7 +333,9 @@ TEST(NxvDamage, PiecesThatDoNotFitAreErrors)
   header.arrays[0].type = NxvType::UInt8;
   const std::string codes("\0\1\2\xFF\7\7\7\7\x8\x9", 10);
   const DeflatedPieces pieces =
-    DeflateInPieces(reinterpret_cast<const std::uint8_t*>(codes.data()), codes.size(), 4);
+    DeflateInPieces([&codes](std::size_t first, std::size_t count, std::uint8_t* to)
+      { std::copy_n(codes.begin() + static_cast<std::ptrdiff_t>(first), count, to); },
+      codes.size(), 4);
   const std::string payload(pieces.stream.begin(), pieces.stream.end());
   ASSERT_EQ(pieces.lengths.size(), 3u);
   const auto errorWith = [&](std::uint64_t pieceBytes, const std::vector<std::uint64_t>& lengths)
