@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Merging/SeriesMerger.h"
 
+#include "nexrad/Merging/Store.h"
 #include "nexrad/Series/InputFiles.h"
 #include "nexrad/Series/SharedScan.h"
 #include "nexrad/System/Error.h"
@@ -577,16 +578,12 @@ void SeriesMerger::LearnFiles(const std::string& text)
 // Those of reflectivity about a time, without sweeps; empty when `progress` asked to stop.
 std::optional<BeamVolumes> SeriesMerger::EchoAbout(Time time, const Progress& progress)
 {
-  auto echo = store->EchoAbout(time);
-  if (!echo)
+  std::optional<BeamVolumes> echo = store->EchoAbout(time);
+  if (!echo && this->VolumesAbout(time, {}, progress))
   {
-    if (!this->VolumesAbout(time, {}, progress))
-    {
-      return std::nullopt;
-    }
-    echo = store->EchoAbout(time);
+    echo = store->EchoAbout(time).value_or(BeamVolumes());
   }
-  return echo.value_or(BeamVolumes());
+  return echo;
 }
 
 // What merges reflectivity of the same files; nullptr when `progress` asked to stop.

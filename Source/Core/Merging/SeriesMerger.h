@@ -6,7 +6,8 @@
 #include "nexrad/Merging/BoxFollower.h"
 #include "nexrad/Merging/MemoryNeed.h"
 #include "nexrad/Merging/MergeOptions.h"
-#include "nexrad/Merging/Store.h"
+#include "nexrad/Merging/TimeMerge.h"
+#include "nexrad/Series/InputFiles.h"
 #include "nexrad/Series/SharedScan.h"
 #include "nexrad/System/Processes.h"
 #include "nexrad/System/Progress.h"
@@ -23,6 +24,8 @@
 
 namespace nexrad
 {
+
+class Store;
 
 /// Part of the time that a scan of all files takes, when volumes are merged afterwards; for a
 /// progress bar.

@@ -193,7 +193,7 @@ std::optional<std::size_t> Store::NextFile()
   {
     return std::nullopt;
   }
-  const auto [first, end] = this->Ahead();
+  const auto [first, end] = this->Ahead(*reached);
   const auto next = std::find_if(first, end,
     [this](const TimedFile& each)
     {
@@ -203,11 +203,10 @@ std::optional<std::size_t> Store::NextFile()
   return next != end ? std::optional(next->index) : std::nullopt;
 }
 
-// Called with the lock. The files that may be decoded ahead.
-Store::FileRange Store::Ahead() const
+// Called with the lock. The files that may be decoded ahead, where those up to a time are needed.
+Store::FileRange Store::Ahead(Time time) const
 {
-  const auto first =
-    std::upper_bound(order.begin(), order.end(), TimedFile{0, *reached}, IsEarlier);
+  const auto first = std::upper_bound(order.begin(), order.end(), TimedFile{0, time}, IsEarlier);
   return {first, first + std::min<std::ptrdiff_t>(FilesAhead * threadCount, order.end() - first)};
 }
 
@@ -252,14 +251,17 @@ void Store::Load(std::size_t index, File& file, bool keeps)
     }
     file.held.back().ready.push_back(work.prepare(moment));
   };
-  for (const HeldVolume& volume : isThere ? before : std::vector<HeldVolume>())
+  if (isThere)
   {
-    for (const auto& moment : volume.moments)
+    for (const HeldVolume& volume : before)
     {
-      hold(volume.cycle, moment);
+      for (const auto& moment : volume.moments)
+      {
+        hold(volume.cycle, moment);
+      }
     }
   }
-  if (!isThere)
+  else
   {
     ++decodedFiles;
     ScannedFile found = ScanFile(paths[index], work.options,
@@ -649,9 +651,8 @@ std::string Store::LastMadeOf(Time time) const
 // ready ahead of it, and for what Scan asked for and no time needed yet.
 void Store::Release(Time time, const std::vector<ChosenVolume>& needed)
 {
-  reached = std::max(reached.value_or(time), time);
   // Files of several radars may have the time of the last one ahead.
-  const auto end = this->Ahead().second;
+  const auto end = this->Ahead(std::max(reached.value_or(time), time)).second;
   const Time lastAhead = end != order.end() ? std::prev(end)->time : Time::max();
   for (std::size_t index = 0; index < files.size(); ++index)
   {

@@ -159,7 +159,7 @@ private:
   void List();
   void Work();
   std::optional<std::size_t> NextFile();
-  FileRange Ahead() const;
+  FileRange Ahead(Time time) const;
   bool HoldsMoments(File& file) const;
   void Load(std::size_t index, File& file, bool keeps);
   void Keep(std::size_t index, File&& loaded);
