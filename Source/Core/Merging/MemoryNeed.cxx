@@ -6,7 +6,7 @@
 #include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/Grid/SiteGeometry.h"
 #include "nexrad/Gridding/BeamMerge.h"
-#include "nexrad/Merging/VolumeLoader.h"
+#include "nexrad/Merging/Store.h"
 #include "nexrad/Model/SiteTable.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/MachineMemory.h"

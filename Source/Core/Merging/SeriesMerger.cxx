@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Merging/SeriesMerger.h"
 
+#include "nexrad/Merging/Store.h"
 #include "nexrad/Series/InputFiles.h"
 #include "nexrad/Series/SharedScan.h"
 #include "nexrad/System/Error.h"
@@ -49,13 +50,12 @@ std::vector<TimeSpan> HeaderTimes(const std::vector<SiteFileList>& headers)
 
 // What the first of some files that holds a volume holds; empty when none does.
 template <class Iterator>
-std::vector<std::pair<Site, SeriesVolume>> FindVolumes(
-  Iterator begin, Iterator end, VolumeLoader& loader)
+std::vector<std::pair<Site, SeriesVolume>> FindVolumes(Iterator begin, Iterator end, Store& store)
 {
   std::vector<std::pair<Site, SeriesVolume>> volumes;
   for (Iterator file = begin; file != end && volumes.empty(); ++file)
   {
-    volumes = loader.Scan(file->index).volumes;
+    volumes = store.Scan(file->index).volumes;
   }
   return volumes;
 }
@@ -143,13 +143,17 @@ void SeriesMerger::FindFiles()
     {
       SeriesOptionsOf(options); // throws for what cannot be met, before anything is read
       found = FindInputFiles(inputs);
-      known.resize(found.paths.size());
       headers = ListByHeaders(found.paths, options.siteName);
       sizes = SizesOf(found.paths, headers ? headers->size() : 1);
       const MemoryNeed need =
         RequireMemory(options, sizes, setup.threads, setup.use, KnownPlaces(headers));
       memoryForRays = MemoryForKeptRays(options, need);
-      cache = setup.anyOrder ? std::make_shared<PolarCache>(memoryForRays) : nullptr;
+      store = std::make_unique<Store>(
+        found.paths, headers.value_or(std::vector<SiteFileList>()), setup.threads);
+      if (setup.anyOrder)
+      {
+        store->KeepUpTo(memoryForRays);
+      }
     });
   std::string names = headers ? "told by headers" : "unknown";
   for (const std::filesystem::path& path : found.paths)
@@ -182,51 +186,16 @@ SeriesOptions SeriesMerger::ScanOptions() const
   return series;
 }
 
-// The files stand where their rays are, as far as these are known, else where their headers say.
-SeriesFiles SeriesMerger::ListFiles() const
+// Begins to make volumes ready for the request; what was made ready for another is dropped.
+void SeriesMerger::BeginStore()
 {
-  SeriesFiles files{found.paths, {}, known, scan ? *scan : CollectSeries({}, known)};
-  std::map<std::string, std::vector<TimedFile>> byHeaders;
-  for (const SiteFileList& site : headers.value_or(std::vector<SiteFileList>()))
-  {
-    for (const TimedFile& file : site.files)
-    {
-      if (IsUnknown(known[file.index]))
-      {
-        files.listed.Of({site.name, {}});
-        byHeaders[site.name].push_back(file);
-      }
-    }
-  }
-  std::vector<bool> placed(known.size());
-  for (const SiteSeries& series : files.listed.sites)
-  {
-    SiteFileList site{series.site.name, std::exchange(byHeaders[series.site.name], {})};
-    for (const SeriesVolume& volume : series.volumes)
-    {
-      if (!placed[volume.input])
-      {
-        placed[volume.input] = true;
-        site.files.push_back({volume.input, volume.start});
-      }
-    }
-    std::stable_sort(site.files.begin(), site.files.end(),
-      [](const TimedFile& a, const TimedFile& b) { return a.time < b.time; });
-    files.sites.push_back(std::move(site));
-  }
-  return files;
-}
-
-void SeriesMerger::MakeLoader()
-{
-  LoaderWork work;
+  StoreWork work;
+  work.options = OneThreadAFile(this->ScanOptions());
   work.prepare = [this](const std::shared_ptr<const PolarVolume>& volume)
   { return MakeReady(volume, *std::atomic_load(&planned)); };
   work.rule = VolumeRuleOf(request);
-  decodedBefore += loader ? loader->DecodedFiles() : 0;
   follower = nullptr;
-  loader = std::make_unique<VolumeLoader>(
-    this->ListFiles(), OneThreadAFile(this->ScanOptions()), work, cache, setup.threads);
+  store->Begin(std::move(work), this->KnownScan());
 }
 
 // Until the grid is known, volumes are made ready without means; the merge makes these.
@@ -244,10 +213,10 @@ std::optional<TimeSpan> SeriesMerger::FindEnds()
   const bool needsLast = setup.anyOrder || !options.end || options.time;
   for (const SiteFileList& site : *headers)
   {
-    loader->Expect(site.files.front().index);
+    store->Expect(site.files.front().index);
     if (needsLast)
     {
-      loader->Expect(site.files.back().index);
+      store->Expect(site.files.back().index);
     }
   }
   TimeSpan ends = {Time::max(), Time::min()};
@@ -257,16 +226,16 @@ std::optional<TimeSpan> SeriesMerger::FindEnds()
     std::vector<TimedFile> asGiven = files;
     std::sort(asGiven.begin(), asGiven.end(),
       [](const TimedFile& a, const TimedFile& b) { return a.index < b.index; });
-    if (FindVolumes(asGiven.begin(), asGiven.end(), *loader).empty())
+    if (FindVolumes(asGiven.begin(), asGiven.end(), *store).empty())
     {
       return std::nullopt;
     }
-    for (const auto& [site, volume] : FindVolumes(files.begin(), files.end(), *loader))
+    for (const auto& [site, volume] : FindVolumes(files.begin(), files.end(), *store))
     {
       ends.first = std::min(ends.first, volume.start);
     }
     for (const auto& [site, volume] :
-      FindVolumes(needsLast ? files.rbegin() : files.rend(), files.rend(), *loader))
+      FindVolumes(needsLast ? files.rbegin() : files.rend(), files.rend(), *store))
     {
       ends.last = std::max(ends.last, volume.end);
     }
@@ -288,15 +257,14 @@ bool SeriesMerger::OpenByHeaders()
   }
   request = MergeRequestOf(options, setup.loop);
   this->PlanRequest(false);
-  known = loader ? loader->Known() : known;
-  this->MakeLoader();
+  this->BeginStore();
   const std::optional<TimeSpan> ends = this->FindEnds();
   if (!ends || options.begin.value_or(ends->first) > options.end.value_or(ends->last) ||
       (options.time && (*options.time < ends->first || *options.time > ends->last)))
   {
     return false;
   }
-  const SeriesScan decoded = CollectSeries({}, loader->Known());
+  const SeriesScan decoded = this->KnownScan();
   this->Plan(decoded, *ends);
   times = TimeStepsOf(options, ends->first, ends->last, decoded.Spans().size());
   return true;
@@ -320,20 +288,19 @@ void SeriesMerger::Plan(const SeriesScan& decoded, const TimeSpan& ends)
 
 bool SeriesMerger::ScanFiles(const Progress& progress)
 {
-  if (!cache)
-  {
-    cache = std::make_shared<PolarCache>(memoryForRays);
-  }
+  store->KeepUpTo(memoryForRays);
   SeriesOptions series = this->ScanOptions();
   series.threads = setup.threads;
   series.summaries = setup.scanFirst;
   const auto keep = [this](const SeriesVolume& key, const RadarVolume&,
-                      const std::shared_ptr<const PolarVolume>& volume) {
-    cache->Offer({volume->moment, key.cycle, key.file}, volume, MemoryOf(*volume));
-  };
+                      const std::shared_ptr<const PolarVolume>& volume)
+  { store->Offer(key, volume); };
   auto files = ScanTogether(found.paths, setup.processes, setup.order, series, keep, progress);
-  known = files ? std::move(*files) : known;
-  scan = files ? std::optional(CollectSeries(found.problems, known)) : std::nullopt;
+  scan = files ? std::optional(CollectSeries(found.problems, *files)) : std::nullopt;
+  if (files)
+  {
+    store->LearnAll(std::move(*files));
+  }
   return scan.has_value();
 }
 
@@ -355,7 +322,7 @@ void SeriesMerger::PlanByScan()
   }
   request = MergeRequestOf(options, setup.loop);
   this->Plan(*scan, {*scan->First(), *scan->Last()});
-  this->MakeLoader();
+  this->BeginStore();
   times = TimeStepsOf(options, *scan);
 }
 
@@ -405,7 +372,7 @@ std::optional<ReasonCounts> SeriesMerger::Echo() const
 
 std::vector<MomentName> SeriesMerger::Moments() const
 {
-  const SeriesScan known = scan ? *scan : CollectSeries(found.problems, loader->Known());
+  const SeriesScan known = this->KnownScan();
   std::set<MomentName> moments;
   for (const SiteSeries& series : known.sites)
   {
@@ -419,12 +386,12 @@ std::vector<MomentName> SeriesMerger::Moments() const
 
 std::size_t SeriesMerger::DecodedFiles() const
 {
-  return decodedBefore + (loader ? loader->DecodedFiles() : 0);
+  return store ? store->DecodedFiles() : 0;
 }
 
 void SeriesMerger::EndAt(Time time)
 {
-  loader->EndAt(time);
+  store->EndAt(time);
 }
 
 // Of all volumes, those that a time takes.
@@ -472,10 +439,20 @@ void SeriesMerger::AddSweepless(
   }
   for (const auto& [moment, site, volume] : this->ChosenAt(request.time))
   {
-    if (!reaching[site])
+    if (reaching[site])
     {
-      volumes.push_back(sweepless.Make(scan->sites[site].site, *volume, request, moment));
+      continue;
     }
+    const Site& radar = scan->sites[site].site;
+    if (request.method == MergeMethod::Thesis) // of which it only names the radar
+    {
+      volumes.push_back({std::make_shared<const PolarVolume>(PolarVolume{
+                           radar, moment, volume->start, volume->end, volume->synthetic, {}, {}}),
+        nullptr});
+      continue;
+    }
+    volumes.push_back(
+      {nullptr, store->WithoutSweeps(radar, *volume, moment, LooksForMotion(request, moment))});
   }
 }
 
@@ -483,8 +460,8 @@ void SeriesMerger::AddSweepless(
 std::optional<std::vector<ReadyVolume>> SeriesMerger::VolumesAbout(
   Time time, const std::vector<bool>& reaching, const Progress& progress)
 {
-  std::optional<std::vector<ReadyVolume>> volumes = loader->About(time, reaching, progress);
-  if (volumes && setup.anyOrder && !scan && loader->HeadersErr())
+  std::optional<std::vector<ReadyVolume>> volumes = store->About(time, reaching, progress);
+  if (volumes && setup.anyOrder && !scan && store->HeadersErr())
   {
     if (!this->ScanFiles(progress))
     {
@@ -492,8 +469,8 @@ std::optional<std::vector<ReadyVolume>> SeriesMerger::VolumesAbout(
     }
     // Grid and time steps stay as they were told: the volumes of a series have one grid, and its
     // user counts them.
-    this->MakeLoader();
-    volumes = loader->About(time, reaching, progress);
+    this->BeginStore();
+    volumes = store->About(time, reaching, progress);
   }
   return volumes;
 }
@@ -549,29 +526,29 @@ bool SeriesMerger::MergeEachRadar(
 
 bool SeriesMerger::Know(Time time, const Progress& progress)
 {
-  return loader->Know(time, progress);
+  return store->Know(time, progress);
 }
 
 std::string SeriesMerger::MadeOf(Time time) const
 {
-  return MergeText(request) + loader->MadeOf(time);
+  return MergeText(request) + store->MadeOf(time);
 }
 
 std::string SeriesMerger::LastMadeOf(Time time) const
 {
-  return MergeText(request) + loader->Made().at(time);
+  return MergeText(request) + store->LastMadeOf(time);
 }
 
 bool SeriesMerger::TakesVolumes() const
 {
   return std::any_of(
-    times.begin(), times.end(), [this](const Time time) { return !loader->MadeOf(time).empty(); });
+    times.begin(), times.end(), [this](const Time time) { return !store->MadeOf(time).empty(); });
 }
 
 std::string SeriesMerger::KnownFiles()
 {
   std::vector<ScannedFile> fresh;
-  for (ScannedFile& file : loader->Known())
+  for (ScannedFile& file : store->Known())
   {
     if (!IsUnknown(file) && told.insert(file.origin).second)
     {
@@ -593,7 +570,7 @@ void SeriesMerger::LearnFiles(const std::string& text)
     if (same != origins.end())
     {
       told.insert(file.origin);
-      loader->Learn(same->second, file);
+      store->Learn(same->second, file);
     }
   }
 }
@@ -601,21 +578,12 @@ void SeriesMerger::LearnFiles(const std::string& text)
 // Those of reflectivity about a time, without sweeps; empty when `progress` asked to stop.
 std::optional<BeamVolumes> SeriesMerger::EchoAbout(Time time, const Progress& progress)
 {
-  auto echo = loader->EchoAbout(time);
-  if (!echo)
+  std::optional<BeamVolumes> echo = store->EchoAbout(time);
+  if (!echo && this->VolumesAbout(time, {}, progress))
   {
-    if (!this->VolumesAbout(time, {}, progress))
-    {
-      return std::nullopt;
-    }
-    echo = loader->EchoAbout(time);
+    echo = store->EchoAbout(time).value_or(BeamVolumes());
   }
-  BeamVolumes volumes;
-  for (const auto& [site, volume] : echo.value_or(std::vector<std::pair<Site, SeriesVolume>>()))
-  {
-    volumes.push_back(sweepless.MakeBeam(site, volume, MomentName::REF, true));
-  }
-  return volumes;
+  return echo;
 }
 
 // What merges reflectivity of the same files; nullptr when `progress` asked to stop.
@@ -690,13 +658,13 @@ std::optional<GriddedVolume> SeriesMerger::MergeBox(
 // What is known of the inputs so far.
 SeriesScan SeriesMerger::KnownScan() const
 {
-  return scan ? *scan : gathered ? *gathered : CollectSeries(found.problems, loader->Known());
+  return scan ? *scan : CollectSeries(found.problems, store->Known());
 }
 
 // What all processes decoded.
 std::vector<ScannedFile> SeriesMerger::Gather() const
 {
-  std::vector<ScannedFile> all = loader->Known();
+  std::vector<ScannedFile> all = store->Known();
   if (setup.processes.Count() > 1)
   {
     for (const std::string& message : setup.processes.Exchange(PackScannedFiles(all)))
@@ -720,13 +688,12 @@ bool SeriesMerger::Settle()
   {
     return true;
   }
-  known = this->Gather();
-  gathered = CollectSeries(found.problems, known);
-  this->MakeLoader();
-  const bool asTold = !gathered->sites.empty() &&
-                      request.grid == GridOf(options, gathered->Positions(), gathered->Range()) &&
-                      !FindPause(options, gathered->Spans()) &&
-                      times == TimeStepsOf(options, *gathered);
+  store->LearnAll(this->Gather());
+  this->BeginStore();
+  const SeriesScan known = this->KnownScan();
+  const bool asTold = !known.sites.empty() &&
+                      request.grid == GridOf(options, known.Positions(), known.Range()) &&
+                      !FindPause(options, known.Spans()) && times == TimeStepsOf(options, known);
   return setup.processes.InAll(asTold);
 }
 

@@ -6,8 +6,8 @@
 #include "nexrad/Merging/BoxFollower.h"
 #include "nexrad/Merging/MemoryNeed.h"
 #include "nexrad/Merging/MergeOptions.h"
-#include "nexrad/Merging/SweeplessVolumes.h"
-#include "nexrad/Merging/VolumeLoader.h"
+#include "nexrad/Merging/TimeMerge.h"
+#include "nexrad/Series/InputFiles.h"
 #include "nexrad/Series/SharedScan.h"
 #include "nexrad/System/Processes.h"
 #include "nexrad/System/Progress.h"
@@ -24,6 +24,8 @@
 
 namespace nexrad
 {
+
+class Store;
 
 /// Part of the time that a scan of all files takes, when volumes are merged afterwards; for a
 /// progress bar.
@@ -168,8 +170,7 @@ private:
   void Plan(const SeriesScan& decoded, const TimeSpan& ends);
   bool ScanFiles(const Progress& progress);
   void PlanByScan();
-  SeriesFiles ListFiles() const;
-  void MakeLoader();
+  void BeginStore();
   void PlanRequest(bool hasGrid);
   SeriesScan KnownScan() const;
   std::vector<ScannedFile> Gather() const;
@@ -189,20 +190,15 @@ private:
   MergeRequest request;
   InputFiles found;
   InputSizes sizes;                                 ///< of the files that were found
-  std::size_t memoryForRays = 0;                    ///< of the cache
+  std::size_t memoryForRays = 0;                    ///< that are kept for other times
   std::optional<std::vector<SiteFileList>> headers; ///< of the files; empty when they do not tell
-  std::vector<ScannedFile> known;             ///< what each file holds, as the loader was told
   std::map<std::string, std::size_t> origins; ///< of the files; empty until LearnFiles needs them
-  std::set<std::string> told;         ///< origins of the files that KnownFiles told, or LearnFiles
-  std::optional<SeriesScan> scan;     ///< of all files
-  std::optional<SeriesScan> gathered; ///< of the files that any process decoded; after Settle
-  std::shared_ptr<PolarCache> cache;
+  std::set<std::string> told;     ///< origins of the files that KnownFiles told, or LearnFiles
+  std::optional<SeriesScan> scan; ///< of all files
   std::shared_ptr<const MergeRequest> planned; ///< by which volumes are made ready
-  std::unique_ptr<VolumeLoader> loader;
-  std::size_t decodedBefore = 0; ///< by loaders before this one
+  std::unique_ptr<Store> store;
   MergeRun run;
-  MergeRun boxRun; ///< of MergeBox
-  SweeplessVolumes sweepless;
+  MergeRun boxRun;                          ///< of MergeBox
   std::shared_ptr<BoxFollower> follower;    ///< of the boxes, until the volumes or the grid change
   std::unique_ptr<SeriesMerger> echoMerger; ///< of reflectivity, where it is not merged here
   std::vector<Time> times;

@@ -155,30 +155,52 @@ GriddedVolume DescriptionOf(const GriddedVolume& volume)
 
 } // namespace
 
+std::list<VolumeCache::Packed>::iterator VolumeCache::Place(const VoxelBlock& block, Time time)
+{
+  return std::find_if(entries.begin(), entries.end(),
+    [&](const Packed& each) { return each.description.time == time && each.block == block; });
+}
+
 void VolumeCache::Keep(const VoxelBlock& block, const GriddedVolume& volume)
 {
-  if (limit == 0)
+  if (limit == 0 || this->Place(block, volume.time) != entries.end())
   {
     return;
   }
   Packer packer;
   ForEachArray(volume, [&](const auto& values) { packer.Add(values); });
-  Packed packed{DescriptionOf(volume), std::move(packer).Bytes()};
+  Packed packed{block, DescriptionOf(volume), std::move(packer).Bytes()};
   const std::size_t bytes = packed.arrays.size();
-  entries.Keep({volume.time, block}, std::make_shared<const Packed>(std::move(packed)), bytes);
+  while (bytes <= limit && used + bytes > limit)
+  {
+    used -= entries.back().arrays.size();
+    entries.pop_back();
+  }
+  if (bytes <= limit)
+  {
+    entries.push_front(std::move(packed));
+    used += bytes;
+  }
 }
 
 std::optional<GriddedVolume> VolumeCache::Find(const VoxelBlock& block, Time time)
 {
-  const auto packed = entries.Find({time, block});
-  if (!packed)
+  const auto packed = this->Place(block, time);
+  if (packed == entries.end())
   {
     return std::nullopt;
   }
-  GriddedVolume volume = (*packed)->description;
-  Unpacker unpacker((*packed)->arrays);
+  entries.splice(entries.begin(), entries, packed);
+  GriddedVolume volume = packed->description;
+  Unpacker unpacker(packed->arrays);
   ForEachArray(volume, [&](auto& values) { unpacker.Fill(values); });
   return volume;
+}
+
+void VolumeCache::Clear()
+{
+  entries.clear();
+  used = 0;
 }
 
 } // namespace nexrad

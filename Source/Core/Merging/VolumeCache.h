@@ -3,13 +3,11 @@
 
 #include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/Grid/VoxelBlock.h"
-#include "nexrad/Merging/KeptValues.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <list>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace nexrad
@@ -24,7 +22,6 @@ public:
   /// `limit` in bytes; 0 keeps nothing.
   explicit VolumeCache(std::size_t theLimit)
     : limit(theLimit)
-    , entries(theLimit)
   {
   }
 
@@ -35,20 +32,24 @@ public:
   /// The volume of a block at a time, bit by bit as it was kept; empty when it is not kept.
   std::optional<GriddedVolume> Find(const VoxelBlock& block, Time time);
 
-  void Clear() { entries.Clear(); }
+  void Clear();
 
   /// Bytes that the volumes take, at most the limit.
-  std::size_t Used() const { return entries.Used(); }
+  std::size_t Used() const { return used; }
 
 private:
   struct Packed
   {
+    VoxelBlock block;
     GriddedVolume description; ///< the volume without its arrays
     std::vector<std::uint8_t> arrays;
   };
 
+  std::list<Packed>::iterator Place(const VoxelBlock& block, Time time);
+
   const std::size_t limit;
-  KeptValues<std::pair<Time, VoxelBlock>, std::shared_ptr<const Packed>> entries;
+  std::list<Packed> entries; // the one asked for last stands first
+  std::size_t used = 0;
 };
 
 } // namespace nexrad
