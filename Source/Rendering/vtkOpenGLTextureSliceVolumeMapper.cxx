@@ -96,7 +96,7 @@ vtkOpenGLTextureSliceVolumeMapper::~vtkOpenGLTextureSliceVolumeMapper()
 
 int vtkOpenGLTextureSliceVolumeMapper::GetNumberOfDrawnSlices() const
 {
-  return this->Parts->Planes.GetNumberOfSlices();
+  return this->Parts->Planes.NumberOfSlices;
 }
 
 int vtkOpenGLTextureSliceVolumeMapper::GetDrawnWay() const
@@ -351,20 +351,19 @@ bool vtkOpenGLTextureSliceVolumeMapper::PlaceSlices()
 {
   vtkTextureSliceParts& parts = *this->Parts;
   parts.EmptySpace.Update(parts);
-  parts.Frame.SetPlane(parts.Request.GetSlicePlane());
-  vtkTextureSliceView view = parts.Frame.View;
-  view.Part = parts.Frame.Cut.Part;
+  vtkTextureSliceView& view = parts.Frame.View;
+  vtkPlane* plane = parts.Request.GetSlicePlane();
+  view.Plane.reset();
+  if (plane != nullptr)
+  {
+    view.Plane = parts.Frame.ToBox(plane);
+  }
   view.NumberOfSlices = this->NumberOfSlices;
   view.SampleDistance = this->ChooseSampleDistance();
-  if (parts.Request.IsNearest())
-  {
-    view.Faces = parts.Frame.Intervals;
-    view.FirstFace = parts.Frame.GetFirstFace();
-  }
   view.Viewport = vtkTextureSliceTarget::GetSize(parts.Window, parts.PixelSize);
   parts.Planes.Place(view);
   // A sum is black where all that was sampled is clear.
-  return parts.Planes.GetNumberOfSlices() > 0 &&
+  return parts.Planes.NumberOfSlices > 0 &&
          (this->BlendMode == ADDITIVE_BLEND || !parts.EmptySpace.IsNothingVisible());
 }
 
@@ -421,14 +420,7 @@ std::string vtkOpenGLTextureSliceVolumeMapper::TakeImages(bool isDrawn)
     }
     places = vtkTextureSliceImages::Download(parts.Target.GetPicture());
   }
-  for (std::size_t i = 0; i < colors.size(); ++i)
-  {
-    const float level = 0.5f * this->FinalColorWindow - this->FinalColorLevel;
-    colors[i] =
-      i % 4 == 3 ? colors[i] : (colors[i] + level * colors[i | 3]) / this->FinalColorWindow;
-  }
-  parts.Images.Fill(
-    size, this->DepthImageScalarType, colors, places, parts.Frame, this->ClampDepthToBackface != 0);
+  parts.Images.Fill(parts, colors, places);
   return "";
 }
 

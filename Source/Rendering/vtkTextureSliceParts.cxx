@@ -44,8 +44,8 @@ void SetRays(vtkShaderProgram* program, const vtkTextureSliceParts& uniforms)
   const vtkTextureSlicePlanes& planes = uniforms.Planes;
   const auto& scale = frame.TextureScale;
   const auto& bias = frame.TextureBias;
-  auto places = ToTexture(planes.GetPlaces(), scale, bias);
-  auto steps = ToTexture(planes.GetSteps(), scale, {});
+  auto places = ToTexture(planes.Places, scale, bias);
+  auto steps = ToTexture(planes.Steps, scale, {});
   program->SetUniformMatrix3x3("placeOfPixel", places.data());
   program->SetUniformMatrix3x3("stepOfPixel", steps.data());
   const vtkTextureSliceCut& cut = frame.Cut;
@@ -68,7 +68,7 @@ void SetRays(vtkShaderProgram* program, const vtkTextureSliceParts& uniforms)
   program->SetUniform3f("cropHigh", faces[3].data());
   program->SetUniformi("cropFlags", cut.CropFlags);
   program->SetUniform3f("stepToUnits", toUnits.data());
-  program->SetUniform4f("depthToSlice", planes.GetDepthToSlice().data());
+  program->SetUniform4f("depthToSlice", planes.DepthToSlice.data());
   program->SetUniformf("pixelSize", static_cast<float>(uniforms.PixelSize));
   const std::vector<float> clipping = frame.GetClippingPlanesInTexture();
   if (!clipping.empty())
@@ -220,7 +220,7 @@ void vtkTextureSliceParts::UpdateIntegrals()
   {
     unitDistance = std::max(unitDistance, this->Request.GetUnitDistance(component));
   }
-  const double slab = this->Planes.GetDataStep();
+  const double slab = this->Planes.DataStep;
   const double mostDepth = vtkTextureSliceIntegralTable::ChooseMostDepth(slab / unitDistance);
   this->Integrals.Update(this->Window, this->Table, this->Features.CountFunctions(), mostDepth);
 }
@@ -232,8 +232,7 @@ bool vtkTextureSliceParts::Draw(std::string& error)
     error = "OpenGL could not compile the shaders of the slices";
     return false;
   }
-  if (!this->Target.Begin(this->Window, this->PixelSize, this->Features.NeedsDepth(),
-        this->Ways.NeedsFullPrecision() || this->Features.Places, error))
+  if (!this->Target.Begin(*this, this->Ways.NeedsFullPrecision() || this->Features.Places, error))
   {
     return false;
   }

@@ -14,12 +14,11 @@ class vtkVolume;
  * VTK's dual depth peeling draws a volume several times a frame: first what lies outside of all
  * translucent geometry, then what lies between two peels of it. Each time it asks for two pictures,
  * one of what is in front of the geometry that is not peeled yet and one of what is behind it. Its
- * textures tell between which depths a pixel's part of the volume lies (TextureSlicePeelFS).
+ * textures tell between which depths a pixel's part of the volume lies (TextureSliceRayFS).
  */
 class vtkTextureSlicePeeling
 {
 public:
-  /// The values are those of TextureSlicePeelFS.
   enum Stage
   {
     None,    ///< the volume is not peeled
@@ -40,7 +39,6 @@ public:
   /// Chooses the picture that is drawn next.
   void SetPicture(int picture) { this->Picture = picture; }
 
-  /// Sets what TextureSlicePeelFS reads.
   void SetUniforms(vtkShaderProgram* program) const;
   /// How a picture joins the textures of the pass.
   void SetBlending(vtkOpenGLState* state) const;

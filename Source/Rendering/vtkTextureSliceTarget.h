@@ -15,11 +15,8 @@
 
 class vtkImageData;
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
-class vtkTextureObject;
 struct vtkTextureSliceFrame;
 struct vtkTextureSliceParts;
-class vtkWindow;
 
 /**
  * The image sample distance, pixels of the window for each pixel of the volume's picture along an
@@ -51,22 +48,16 @@ private:
 class vtkTextureSliceTarget
 {
 public:
-  vtkTextureSliceTarget();
-  ~vtkTextureSliceTarget();
-
   /// Width and height of the picture for the viewport that OpenGL draws into now; see Begin.
   static std::array<int, 2> GetSize(vtkOpenGLRenderWindow* window, double pixelSize);
 
   /**
-   * Copies the depth of the framebuffer that is bound, clears the picture and directs drawing here.
-   * End must follow.
-   * @param pixelSize pixels of the viewport that one pixel of the picture stands for along an axis.
-   * @param copiesDepth whether GetGeometryDepth is read.
+   * Copies the depth of the framebuffer that is bound, if the shader reads it, clears the picture
+   * and directs drawing here. End must follow.
    * @param fullPrecision whether the picture has floats of 32 bits in place of 16.
    * @return false, with one line in @a error, if it cannot be made; then End must not follow.
    */
-  bool Begin(vtkOpenGLRenderWindow* window, double pixelSize, bool copiesDepth, bool fullPrecision,
-    std::string& error);
+  bool Begin(const vtkTextureSliceParts& parts, bool fullPrecision, std::string& error);
   /// The depth of what is drawn already, of the viewport's size.
   vtkTextureObject* GetGeometryDepth() { return this->Depth; }
   vtkTextureObject* GetPicture() { return this->Color; }
@@ -77,7 +68,7 @@ public:
   /// @param scale, bias the final window and level.
   void Composite(vtkTextureSliceParts& parts, float scale, float bias);
 
-  void ReleaseGraphicsResources(vtkWindow* window);
+  void ReleaseGraphicsResources(vtkOpenGLRenderWindow* window);
 
 private:
   bool MakePicture(int width, int height, bool fullPrecision, std::string& error);
@@ -91,7 +82,9 @@ private:
   vtkOpenGLRenderWindow* Window = nullptr;
   std::array<int, 4> Viewport{}; ///< left, bottom, width, height
   bool FullPrecision = false;    ///< of Color
-  int DepthKey = -1;             ///< the depth format that Depth has
+  /// Of Depth: bits, whether they are floats, whether a stencil is with them. OpenGL copies depth
+  /// only between equal formats.
+  std::array<int, 3> DepthFormat{-1, 0, 0};
 };
 
 /**
@@ -99,9 +92,8 @@ private:
  * unsigned char a pixel, white where a ray misses the volume; and depths of the window, 0 to 1, in
  * the type of the mapper's DepthImageScalarType.
  */
-class vtkTextureSliceImages
+struct vtkTextureSliceImages
 {
-public:
   vtkNew<vtkImageData> Color;
   vtkNew<vtkImageData> Depth;
 
@@ -110,10 +102,9 @@ public:
   /**
    * @param colors pixels of the picture.
    * @param places of the picture of places (vtkTextureSliceFeatures::Places).
-   * @param clamps whether a ray that sees nothing has the depth of its beginning, in place of 1.
    */
-  void Fill(const std::array<int, 2>& size, int depthType, const std::vector<float>& colors,
-    const std::vector<float>& places, const vtkTextureSliceFrame& frame, bool clamps);
+  void Fill(const vtkTextureSliceParts& parts, const std::vector<float>& colors,
+    const std::vector<float>& places);
 };
 
 #endif

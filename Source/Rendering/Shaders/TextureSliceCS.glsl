@@ -1,7 +1,7 @@
-//VTK::TextureSlice::Version
+#version 430
 // SPDX-License-Identifier: BSD-3-Clause
 // A pixel of the volume: its ray, from front to back, as a compute shader.
-layout(local_size_x = TEXTURE_SLICE_GROUP, local_size_y = TEXTURE_SLICE_GROUP) in;
+layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(rgba16) writeonly uniform image2D pictureImage;
 // The rectangle of pixels to be drawn: the lower left one, and where it ends.
