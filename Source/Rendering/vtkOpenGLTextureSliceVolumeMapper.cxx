@@ -70,18 +70,6 @@ std::string FindIgnored(vtkVolume* volume)
                  : "";
 }
 
-/// The ranges of the scalars alone, as far as a request needs to know them.
-std::vector<vtkTextureSliceComponent> FindRanges(vtkDataArray* scalars)
-{
-  std::vector<vtkTextureSliceComponent> components(
-    static_cast<std::size_t>(scalars->GetNumberOfComponents()));
-  for (std::size_t i = 0; i < components.size(); ++i)
-  {
-    scalars->GetFiniteRange(components[i].Range.data(), static_cast<int>(i));
-  }
-  return components;
-}
-
 } // namespace
 
 vtkOpenGLTextureSliceVolumeMapper::vtkOpenGLTextureSliceVolumeMapper()
@@ -118,26 +106,12 @@ vtkTextureSliceRequest vtkOpenGLTextureSliceVolumeMapper::MakeRequest(
   }
   if (this->Transfer2DYAxisArray != nullptr && input != nullptr)
   {
-    vtkDataArray* second = this->FindSecondArray(input, cellData);
-    request.SecondArray = second != nullptr ? second->GetNumberOfComponents() : -1;
+    request.NamesSecondArray = true;
+    request.SecondArray =
+      input->GetAttributes(cellData ? vtkDataObject::CELL : vtkDataObject::POINT)
+        ->GetArray(this->Transfer2DYAxisArray);
   }
   return request;
-}
-
-vtkDataArray* vtkOpenGLTextureSliceVolumeMapper::FindSecondArray(vtkDataSet* input, bool cellData)
-{
-  return input->GetAttributes(cellData ? vtkDataObject::CELL : vtkDataObject::POINT)
-    ->GetArray(this->Transfer2DYAxisArray);
-}
-
-const char* vtkOpenGLTextureSliceVolumeMapper::FindUnsupported(
-  const vtkTextureSliceRequest& request)
-{
-  if (this->GetInputCount() > 1)
-  {
-    return "several volumes in one mapper are not supported: give each a mapper of its own";
-  }
-  return request.FindUnsupported();
 }
 
 int vtkOpenGLTextureSliceVolumeMapper::IsRenderSupported(
@@ -149,15 +123,14 @@ int vtkOpenGLTextureSliceVolumeMapper::IsRenderSupported(
   {
     // Without an input there is nothing to say about it.
     return openGLWindow != nullptr &&
-           this->FindUnsupported(this->MakeRequest(property, nullptr, nullptr, false)) == nullptr;
+           this->MakeRequest(property, nullptr, nullptr, false).FindUnsupported() == nullptr;
   }
   int cellFlag = 0;
   vtkDataArray* scalars = this->GetScalars(
     input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
-  const vtkTextureSliceRequest request = this->MakeRequest(property, input, scalars, cellFlag == 1);
-  return CanHold(openGLWindow, input, cellFlag == 1) && this->FindUnsupported(request) == nullptr &&
-         (scalars == nullptr || property == nullptr ||
-           request.FindUnsupportedRange(FindRanges(scalars)) == nullptr);
+  const bool cellData = cellFlag == 1;
+  return CanHold(openGLWindow, input, cellData) &&
+         this->MakeRequest(property, input, scalars, cellData).FindUnsupported() == nullptr;
 }
 
 void vtkOpenGLTextureSliceVolumeMapper::GetReductionRatio(double ratio[3])
@@ -230,12 +203,10 @@ std::string vtkOpenGLTextureSliceVolumeMapper::UpdateVolume(
   }
   const bool cellData = this->CellFlag == 1;
   parts.Request = this->MakeRequest(volume->GetProperty(), parts.Image, parts.Scalars, cellData);
-  if (const char* unsupported = this->FindUnsupported(parts.Request))
+  if (const char* unsupported = parts.Request.FindUnsupported())
   {
     return unsupported;
   }
-  parts.LabelWeight = this->MaskBlendFactor;
-  parts.MaskValues = this->FindMaskValues();
   parts.Frame.SetVolume(parts.Image, cellData, volume);
   if (parts.Frame.IsFlat())
   {
@@ -243,14 +214,11 @@ std::string vtkOpenGLTextureSliceVolumeMapper::UpdateVolume(
            "matrix";
   }
   parts.Use(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
-  vtkDataArray* second =
-    parts.Request.ReadsSecondArray() ? this->FindSecondArray(parts.Image, cellData) : nullptr;
-  if (!this->UpdateMask(error) || !parts.UpdateVolume(cellData, second, error))
+  if (this->UpdateMask(error))
   {
-    return error;
+    parts.UpdateVolume(error);
   }
-  const char* unsupported = parts.Request.FindUnsupportedRange(parts.Texture.GetComponents());
-  return unsupported != nullptr ? unsupported : "";
+  return error;
 }
 
 bool vtkOpenGLTextureSliceVolumeMapper::PreLoadData(vtkRenderer* renderer, vtkVolume* volume)
@@ -476,24 +444,19 @@ vtkSmartPointer<vtkObject> vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(
     vtkTextureSliceChecksums::SafeDownCast(before));
 }
 
-vtkDataArray* vtkOpenGLTextureSliceVolumeMapper::FindMaskValues()
-{
-  return this->MaskInput != nullptr
-           ? this->MaskInput
-               ->GetAttributes(this->CellFlag == 1 ? vtkDataObject::CELL : vtkDataObject::POINT)
-               ->GetScalars()
-           : nullptr;
-}
-
 bool vtkOpenGLTextureSliceVolumeMapper::UpdateMask(std::string& error)
 {
+  vtkTextureSliceParts& parts = *this->Parts;
+  parts.MaskValues = nullptr;
   if (this->MaskInput == nullptr)
   {
     return true;
   }
-  vtkTextureSliceParts& parts = *this->Parts;
   const bool cellData = this->CellFlag == 1;
-  vtkDataArray* values = parts.MaskValues;
+  vtkDataArray* values =
+    this->MaskInput->GetAttributes(cellData ? vtkDataObject::CELL : vtkDataObject::POINT)
+      ->GetScalars();
+  parts.MaskValues = values;
   if (values == nullptr || values->GetDataType() != VTK_UNSIGNED_CHAR ||
       values->GetNumberOfComponents() != 1 ||
       vtkTextureSliceScalars::GetSize(this->MaskInput, cellData) !=

@@ -113,15 +113,16 @@ Test MakeOpacityTest(const Source& source, const vtkTextureSliceFeatures& featur
   };
 }
 
-/// The brick has samples that an average counts.
-Test MakeAverageTest(const Source& source, const vtkTextureSliceFeatures& features)
+/// The brick has samples that an average counts, of a component with functions of its own.
+Test MakeAverageTest(const Source& source, std::size_t component)
 {
-  // Of several components with functions of their own, an average counts all samples.
-  const double error =
-    features.Functions > 1 ? Unbounded : FindScalarError(source.Texture.GetComponents().front());
+  const double error = FindScalarError(source.Texture.GetComponents()[component]);
   const double* range = source.Request.Mapper->GetAverageIPScalarRange();
-  return [least = range[0] - error, most = range[1] + error](const Range* ranges)
-  { return ranges->Low <= ranges->High && ranges->High >= least && ranges->Low <= most; };
+  return [component, least = range[0] - error, most = range[1] + error](const Range* ranges)
+  {
+    const Range& range = ranges[component];
+    return range.Low <= range.High && range.High >= least && range.Low <= most;
+  };
 }
 
 /// A surface passes through the brick.
@@ -141,10 +142,6 @@ Test MakeSurfaceTest(const Source& source)
 std::vector<Test> MakeTests(const Source& source)
 {
   const vtkTextureSliceFeatures features = source.Request.GetFeatures();
-  if (features.BlendMode == vtkVolumeMapper::AVERAGE_INTENSITY_BLEND)
-  {
-    return {MakeAverageTest(source, features)};
-  }
   if (features.BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND)
   {
     return {MakeSurfaceTest(source)};
@@ -152,7 +149,9 @@ std::vector<Test> MakeTests(const Source& source)
   std::vector<Test> tests;
   for (std::size_t row = 0; row < static_cast<std::size_t>(features.Functions); ++row)
   {
-    tests.push_back(MakeOpacityTest(source, features, row));
+    tests.push_back(features.BlendMode == vtkVolumeMapper::AVERAGE_INTENSITY_BLEND
+                      ? MakeAverageTest(source, row)
+                      : MakeOpacityTest(source, features, row));
   }
   return tests;
 }
@@ -288,12 +287,11 @@ void vtkTextureSliceEmptySpace::Update(const Source& source)
   const std::vector<unsigned char> before = this->Visible;
   this->FindVisible(source);
   const vtkTextureSliceBricks& bricks = source.Texture.GetBricks();
-  if (this->Visible == before && bricks.GetEdge() == this->Edge)
+  if (this->Visible == before && bricks.GetEdge() == this->Distances.GetEdge())
   {
     return; // another colour, or another opacity of what is visible
   }
-  this->Edge = bricks.GetEdge();
-  this->Distances.Build(bricks.GetCount(), this->Edge, this->Visible);
+  this->Distances.Build(bricks.GetCount(), bricks.GetEdge(), this->Visible);
   this->Seen = this->Distances.FindSeen();
 }
 

@@ -44,6 +44,7 @@ public:
 
   /// One octant after the other, each with one distance for each brick, x fastest.
   const std::vector<unsigned char>& GetDistances() const { return this->Distances; }
+  const std::array<double, 3>& GetEdge() const { return this->Edge; }
   /// Part of the bricks that are visible, 0 to 1.
   double GetVisibleShare() const { return this->VisibleShare; }
 
@@ -106,7 +107,6 @@ private:
   void FindVisible(const vtkTextureSliceParts& source);
 
   Key Last;
-  std::array<double, 3> Edge{}; ///< of the bricks that the distances are of
   vtkTextureSliceDistanceMap Distances;
   std::array<double, 6> Seen{0, 1, 0, 1, 0, 1};
   std::vector<unsigned char> Visible; ///< not 0 where a brick counts

@@ -3,6 +3,7 @@
 
 #include "vtkImageData.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLTextureSliceVolumeMapper.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
@@ -84,29 +85,20 @@ void SetRays(vtkShaderProgram* program, const vtkTextureSliceParts& uniforms)
 
 } // namespace
 
-std::vector<std::pair<const char*, vtkTextureObject*>> vtkTextureSliceParts::FindTextures()
+std::vector<vtkTextureSliceParts::Sampler> vtkTextureSliceParts::FindSamplers()
 {
   const vtkTextureSliceFeatures& features = this->Features;
-  std::vector<std::pair<const char*, vtkTextureObject*>> textures;
-  const auto add = [&textures](bool needed, const char* sampler, vtkTextureObject* texture)
-  {
-    if (needed)
-    {
-      textures.emplace_back(sampler, texture);
-    }
-  };
-  add(true, "volumeTexture", this->Texture.GetTexture());
-  add(true, "transferTable", this->Table.GetTexture());
-  add(features.Table2D, "transferTable2D", this->Table2D.GetTexture());
-  add(features.Rectilinear, "coordinateTable", this->Coordinates.GetTexture());
-  add(features.SecondArray > 0, "secondTexture", this->SecondArray.GetTexture());
-  add(features.Blanked, "blankTexture", this->Blanks.GetTexture());
-  add(features.HasMask(), "maskTexture", this->Mask.GetTexture());
-  add(features.Shadows, "lightTexture", this->Shadows.GetTexture());
-  add(features.NeedsDepth(), "geometryDepth", this->Target.GetGeometryDepth());
-  add(features.Skipping, "distanceMap", this->EmptySpace.GetDistances().GetTexture());
-  add(features.Slabs, "integralTable", this->Integrals.GetTexture());
-  return textures;
+  return {{true, "volumeTexture", this->Texture.GetTexture()},
+    {true, "transferTable", this->Table.GetTexture()},
+    {features.Table2D, "transferTable2D", this->Table2D.GetTexture()},
+    {features.Rectilinear, "coordinateTable", this->Coordinates.GetTexture()},
+    {features.SecondArray > 0, "secondTexture", this->SecondArray.GetTexture()},
+    {features.Blanked, "blankTexture", this->Blanks.GetTexture()},
+    {features.HasMask(), "maskTexture", this->Mask.GetTexture()},
+    {features.Shadows, "lightTexture", this->Shadows.GetTexture()},
+    {features.NeedsDepth(), "geometryDepth", this->Target.GetGeometryDepth()},
+    {features.Skipping, "distanceMap", this->EmptySpace.GetDistances().GetTexture()},
+    {features.Slabs, "integralTable", this->Integrals.GetTexture()}};
 }
 
 void vtkTextureSliceParts::SetUniforms(vtkShaderProgram* program)
@@ -115,14 +107,14 @@ void vtkTextureSliceParts::SetUniforms(vtkShaderProgram* program)
   SetFrame(program, this->Frame);
   // What a shader does not have, VTK passes over.
   const vtkTextureSliceFeatures& features = this->Features;
-  this->Request.SetUniforms(this->Texture.GetComponents(), program);
+  this->Request.SetUniforms(
+    this->Texture.GetComponents(), this->SecondArray.GetComponents(), program);
   this->Table.SetUniforms(program);
   this->Blanks.SetUniforms(program);
   this->EmptySpace.GetDistances().SetUniforms(program, this->Frame);
-  program->SetUniformf("labelWeight", this->LabelWeight);
+  program->SetUniformf("labelWeight", this->Request.Mapper->GetMaskBlendFactor());
   program->SetUniformf("table2DRows", static_cast<float>(this->Table2D.GetNumberOfRows()));
   this->Coordinates.SetUniforms(program);
-  vtkTextureSliceRequest::SetSecondArray(this->SecondArray.GetComponents(), program);
   program->SetUniformi("slabsOfPiece", vtkTextureSliceFeatures::SlabsOfPiece);
   this->Integrals.SetUniforms(program);
   if (features.Lights >= 0)
@@ -141,16 +133,20 @@ void vtkTextureSliceParts::SetUniforms(vtkShaderProgram* program)
 
 void vtkTextureSliceParts::DrawWith(vtkShaderProgram* program, const std::function<void()>& draw)
 {
-  const auto textures = this->FindTextures();
-  for (const auto& [sampler, texture] : textures)
+  std::vector<vtkTextureObject*> active;
+  for (const Sampler& sampler : this->FindSamplers())
   {
-    texture->Activate();
-    program->SetUniformi(sampler, texture->GetTextureUnit());
+    if (sampler.Needed)
+    {
+      sampler.Texture->Activate();
+      program->SetUniformi(sampler.Name, sampler.Texture->GetTextureUnit());
+      active.push_back(sampler.Texture);
+    }
   }
   this->SetUniforms(program);
   draw();
   std::for_each(
-    textures.rbegin(), textures.rend(), [](const auto& named) { named.second->Deactivate(); });
+    active.rbegin(), active.rend(), [](vtkTextureObject* texture) { texture->Deactivate(); });
 }
 
 bool vtkTextureSliceParts::IsNews(std::string& last, const std::string& message)
@@ -167,12 +163,9 @@ void vtkTextureSliceParts::Release(vtkOpenGLRenderWindow* window)
     return;
   }
   window->PushContext();
-  for (vtkTextureObject* texture : {this->Texture.GetTexture(), this->Table.GetTexture(),
-         this->Table2D.GetTexture(), this->Mask.GetTexture(), this->SecondArray.GetTexture(),
-         this->Blanks.GetTexture(), this->Coordinates.GetTexture(), this->Shadows.GetTexture(),
-         this->Integrals.GetTexture(), this->EmptySpace.GetDistances().GetTexture()})
+  for (const Sampler& sampler : this->FindSamplers())
   {
-    texture->ReleaseGraphicsResources(window);
+    sampler.Texture->ReleaseGraphicsResources(window);
   }
   this->Target.ReleaseGraphicsResources(window);
   this->Ways.ReleaseGraphicsResources(window);
@@ -190,8 +183,9 @@ void vtkTextureSliceParts::Use(vtkOpenGLRenderWindow* window)
   window->MakeCurrent();
 }
 
-bool vtkTextureSliceParts::UpdateVolume(bool cellData, vtkDataArray* second, std::string& error)
+bool vtkTextureSliceParts::UpdateVolume(std::string& error)
 {
+  const bool cellData = this->Frame.CellData;
   // As in VTK's ray caster, "nearest" holds for the tables as well as for the volume.
   const bool nearest = this->Request.IsNearest();
   if (this->Coordinates.IsUsed())
@@ -206,9 +200,10 @@ bool vtkTextureSliceParts::UpdateVolume(bool cellData, vtkDataArray* second, std
   }
   this->Table.Update(this->Window, this->Request.MakeRows(this->Texture.GetComponents()), nearest);
   return this->Blanks.Update(this->Window, this->Image, cellData, error) &&
-         (second == nullptr ||
+         (!this->Request.ReadsSecondArray() ||
            this->SecondArray.Update(this->Window,
-             vtkTextureSliceScalars::Find(this->Image, second, cellData), nearest, error)) &&
+             vtkTextureSliceScalars::Find(this->Image, this->Request.SecondArray, cellData),
+             nearest, error)) &&
          (!this->Request.GetFeatures().Table2D ||
            this->Table2D.Update(this->Window, this->Request.MakeTables2D(), nearest, error));
 }

@@ -20,7 +20,6 @@
 #include <array>
 #include <functional>
 #include <string>
-#include <utility>
 #include <vector>
 
 class vtkDataArray;
@@ -28,7 +27,6 @@ class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 class vtkTextureObject;
-class vtkTextureSliceDistanceMap;
 
 /**
  * What vtkOpenGLTextureSliceVolumeMapper works with, one job each. Each part decides for itself
@@ -64,7 +62,6 @@ struct vtkTextureSliceParts
   /// The part of the box with something to see: lower x, upper x, lower y and so on.
   std::array<double, 6> Seen{0, 1, 0, 1, 0, 1};
   double PixelSize = 1.0;                ///< pixels of the viewport for one of the picture
-  float LabelWeight = 1.0f;              ///< how much the label's functions count
   std::array<float, 3> SelectionColor{}; ///< used if Features.Selection
 
   /// The window whose context owns the graphics resources.
@@ -85,9 +82,8 @@ struct vtkTextureSliceParts
   void Use(vtkOpenGLRenderWindow* window);
 
   /// Brings the textures of the volume and of the functions up to date.
-  /// @param second of two-dimensional functions; or nullptr
   /// @return false with one line in @a error
-  bool UpdateVolume(bool cellData, vtkDataArray* second, std::string& error);
+  bool UpdateVolume(std::string& error);
   /// Draws the slices into the target. @return false with one line in @a error
   bool Draw(std::string& error);
   /// Draws with a shader that is ready, which gets everything that it reads.
@@ -96,8 +92,14 @@ struct vtkTextureSliceParts
 private:
   /// Brings the integrals of the table up to date, for slabs as thick as the planes are distant.
   void UpdateIntegrals();
-  /// The textures that the features need, and the names of their samplers.
-  std::vector<std::pair<const char*, vtkTextureObject*>> FindTextures();
+  /// A texture, the name of its sampler, and whether the features need it.
+  struct Sampler
+  {
+    bool Needed;
+    const char* Name;
+    vtkTextureObject* Texture;
+  };
+  std::vector<Sampler> FindSamplers();
   void SetUniforms(vtkShaderProgram* program);
 };
 

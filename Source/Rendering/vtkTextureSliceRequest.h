@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+class vtkDataArray;
 class vtkImageData;
 class vtkOpenGLTextureSliceVolumeMapper;
 class vtkPlane;
@@ -77,15 +78,14 @@ struct vtkTextureSliceRequest
   int BlendMode = 0;  ///< vtkVolumeMapper::BlendModes
   int Components = 0; ///< 0: not known yet, before the source has run
   int ScalarType = VTK_FLOAT;
-  /// Components of the array that two-dimensional functions have in place of the gradient
-  /// magnitude. 0: none is named; -1: the volume does not have it.
-  int SecondArray = 0;
+  /// Whether two-dimensional functions name an array in place of the gradient magnitude, and that
+  /// array; nullptr: the volume does not have it.
+  bool NamesSecondArray = false;
+  vtkDataArray* SecondArray = nullptr;
 
   /// One line that says what cannot be drawn and what could, nullptr if everything can. The
   /// property may be nullptr. Nothing is said of components that are not known.
   const char* FindUnsupported() const;
-  /// The same for what only the scalars' ranges tell.
-  const char* FindUnsupportedRange(const std::vector<vtkTextureSliceComponent>& components) const;
   /// The contours of the first component at which rays begin (UseDepthPass); none: where they
   /// enter the volume.
   std::vector<double> GetContours() const;
@@ -113,7 +113,7 @@ struct vtkTextureSliceRequest
   /// One for each set of functions.
   std::vector<vtkImageData*> MakeTables2D() const;
   /// Whether two-dimensional functions read a second array.
-  bool ReadsSecondArray() const { return this->Has2D() && this->SecondArray > 0; }
+  bool ReadsSecondArray() const { return this->Has2D() && this->SecondArray != nullptr; }
 
   /// The functions of a component: its own, or the first ones.
   int GetFunctions(int component) const { return this->IsIndependent() ? component : 0; }
@@ -123,11 +123,9 @@ struct vtkTextureSliceRequest
 
   /// Sets what follows from the request and the scalars: how texels become 0 to 1, average range,
   /// iso-values, and how components are coloured.
-  void SetUniforms(
-    const std::vector<vtkTextureSliceComponent>& components, vtkShaderProgram* program) const;
-  /// The same for the components of the second array.
-  static void SetSecondArray(
-    const std::vector<vtkTextureSliceComponent>& components, vtkShaderProgram* program);
+  /// @param second components of the second array
+  void SetUniforms(const std::vector<vtkTextureSliceComponent>& components,
+    const std::vector<vtkTextureSliceComponent>& second, vtkShaderProgram* program) const;
 
 private:
   void SetMaterials(vtkShaderProgram* program) const;

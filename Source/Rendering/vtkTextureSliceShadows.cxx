@@ -102,7 +102,7 @@ std::vector<std::vector<Function>> MakeFunctions(const Source& source, double de
     // One function for each component, or that of the opacity.
     functions.back().push_back(make(i, count > 1 ? i : components.size() - 1, 1.0));
   }
-  const auto weight = static_cast<double>(source.LabelWeight);
+  const auto weight = static_cast<double>(source.Request.Mapper->GetMaskBlendFactor());
   for (int label = 1; label <= features.Labels; ++label)
   {
     functions.push_back(
@@ -111,28 +111,18 @@ std::vector<std::vector<Function>> MakeFunctions(const Source& source, double de
   return functions;
 }
 
-/// The opacity of a surface.
-double FindOpacity(const Source& source, double value)
-{
-  const std::vector<float>& entries = source.Table.GetOpacities(0);
-  const std::array<double, 2>& range = source.Texture.GetComponents().back().Range;
-  const double width = range[1] > range[0] ? range[1] - range[0] : 1.0;
-  const double entry =
-    std::clamp((value - range[0]) / width, 0.0, 1.0) * static_cast<double>(entries.size() - 1);
-  const auto low = static_cast<std::size_t>(entry);
-  const std::size_t high = std::min(low + 1, entries.size() - 1);
-  const double part = entry - static_cast<double>(low);
-  return (1.0 - part) * static_cast<double>(entries[low]) +
-         part * static_cast<double>(entries[high]);
-}
-
 /// The isosurfaces as light crosses them; none in other blend modes.
 std::vector<vtkTextureSliceLightCells::Surface> MakeSurfaces(const Source& source, double density)
 {
   std::vector<vtkTextureSliceLightCells::Surface> surfaces;
+  const std::vector<float> opacities = source.Table.GetOpacities(0);
+  const auto last = static_cast<double>(opacities.size() - 1);
+  const std::array<double, 2>& range = source.Texture.GetComponents().back().Range;
+  const double width = range[1] > range[0] ? range[1] - range[0] : 1.0;
   for (const double value : source.Request.GetIsoValues())
   {
-    const double opacity = FindOpacity(source, value);
+    const double entry = std::clamp((value - range[0]) / width, 0.0, 1.0) * last;
+    const auto opacity = static_cast<double>(opacities[static_cast<std::size_t>(entry + 0.5)]);
     const double depth = opacity < 1.0 ? -std::log(1.0 - opacity) : MostDepthOfASurface / density;
     surfaces.push_back({static_cast<float>(value),
       density > 0.0 ? static_cast<float>(std::min(depth * density, MostDepthOfASurface)) : 0.0f});
@@ -199,12 +189,14 @@ void vtkTextureSliceShadows::Update(const Source& source, bool interactive)
   }
   // Surfaces and shading weigh shadow and occlusion apart.
   const bool apart = HasSurfaces(features) || source.Request.IsShaded();
-  const std::array<float, 2> joined = apart ? std::array<float, 2>{} : this->Strength;
-  const auto exposure = static_cast<float>(mapper->GetExposure());
-  if (this->Texture->GetHandle() == 0 || joined != this->Joined || exposure != this->Exposure)
+  std::array<float, 3> joined{};
+  if (!apart)
+  {
+    joined = {this->Strength[0], this->Strength[1], static_cast<float>(mapper->GetExposure())};
+  }
+  if (this->Texture->GetHandle() == 0 || joined != this->Joined)
   {
     this->Joined = joined;
-    this->Exposure = exposure;
     this->Upload(source.Window);
   }
 }
@@ -212,7 +204,7 @@ void vtkTextureSliceShadows::Update(const Source& source, bool interactive)
 void vtkTextureSliceShadows::Upload(vtkOpenGLRenderWindow* window)
 {
   const auto& size = this->Volume.GetGrid().Size;
-  const bool apart = this->Joined == std::array<float, 2>{};
+  const bool apart = this->Joined == std::array<float, 3>{};
   std::vector<float> joined = apart ? std::vector<float>() : this->Join();
   this->Texture->ReleaseGraphicsResources(window);
   this->Texture->SetContext(window);
@@ -234,7 +226,7 @@ std::vector<float> vtkTextureSliceShadows::Join() const
   {
     const float shadow = 1.0f - this->Joined[0] * (1.0f - *light++);
     const float occlusion = 1.0f - this->Joined[1] * (1.0f - *light++);
-    of = std::min(1.0f, this->Exposure * shadow * occlusion);
+    of = std::min(1.0f, this->Joined[2] * shadow * occlusion);
   }
   return left;
 }

@@ -56,10 +56,9 @@ private:
   Key Last;
   vtkTextureSliceLightVolume Volume;
   std::array<float, 2> Strength{};
-  /// The strengths with which the texture has shadow and occlusion in one channel, for colours
-  /// without shading; (0, 0): it has them in two, as they are.
-  std::array<float, 2> Joined{};
-  float Exposure = 1.0f; ///< that the texture has
+  /// The strengths and the exposure with which the texture has shadow and occlusion in one channel,
+  /// for colours without shading; (0, 0, 0): it has them in two, as they are.
+  std::array<float, 3> Joined{};
   vtkNew<vtkTextureObject> Texture;
   vtkNew<vtkImageData> Image;
 };

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <vector>
 
 namespace
@@ -201,27 +200,24 @@ Entry Weigh(const Entry& from, const Entry& to, double way)
 
 } // namespace
 
-vtkTextureSliceTable::Key vtkTextureSliceTable::MakeKey(const vtkTextureSliceRow& row)
-{
-  const auto timeOf = [](vtkObject* function)
-  { return function != nullptr ? function->GetMTime() : vtkMTimeType{0}; };
-  return {{row.Color, row.Gray, row.Opacity},
-    {timeOf(row.Color), timeOf(row.Gray), timeOf(row.Opacity)}, row.ColorDomain.Range,
-    row.ColorDomain.Native, row.OpacityDomain.Range, row.OpacityDomain.Native, row.OpticalDepth};
-}
-
 void vtkTextureSliceTable::Update(
   vtkOpenGLRenderWindow* window, const std::vector<vtkTextureSliceRow>& rows, bool nearest)
 {
   std::vector<Key> keys;
-  std::transform(rows.begin(), rows.end(), std::back_inserter(keys), MakeKey);
+  const auto timeOf = [](vtkObject* function)
+  { return function != nullptr ? function->GetMTime() : vtkMTimeType{0}; };
+  for (const vtkTextureSliceRow& row : rows)
+  {
+    keys.emplace_back(row.Color, row.Gray, row.Opacity, timeOf(row.Color), timeOf(row.Gray),
+      timeOf(row.Opacity), row.ColorDomain.Range, row.ColorDomain.Native, row.OpacityDomain.Range,
+      row.OpacityDomain.Native, row.OpticalDepth);
+  }
   if (this->Texture->GetHandle() == 0 || this->Texture->GetContext() != window ||
       keys != this->Last)
   {
     this->Texture->SetContext(window);
     this->Last = keys;
     this->Fill(rows, ChooseWidth(window, rows));
-    this->FillOpacities(window, rows);
     Upload(this->Texture, rows.size(), this->Entries);
   }
   vtkTextureSliceSetSampling(this->Texture, nearest);
@@ -246,23 +242,9 @@ void vtkTextureSliceTable::Fill(const std::vector<vtkTextureSliceRow>& rows, std
   }
 }
 
-void vtkTextureSliceTable::FillOpacities(
-  vtkOpenGLRenderWindow* window, std::vector<vtkTextureSliceRow> rows)
+std::vector<float> vtkTextureSliceTable::GetOpacities(std::size_t row) const
 {
-  for (vtkTextureSliceRow& row : rows)
-  {
-    row.Color = nullptr;
-    row.Gray = nullptr;
-  }
-  const std::size_t width = ChooseWidth(window, rows);
-  std::vector<float> entries(4 * width);
-  this->Opacities.clear();
-  for (const vtkTextureSliceRow& row : rows)
-  {
-    FillRow(row, static_cast<int>(width), entries.data());
-    ToOpticalDepths(row, static_cast<int>(width), entries.data());
-    this->Opacities.push_back(GetAlphas(entries.data(), width));
-  }
+  return GetAlphas(this->GetEntries(row), this->GetWidth());
 }
 
 void vtkTextureSliceTable::Upload(

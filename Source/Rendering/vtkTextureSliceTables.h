@@ -110,8 +110,8 @@ public:
     return this->Visibilities[row];
   }
   /// Opacities of a row over its domain, or optical depths of a unit distance for each factor of 2
-  /// that it weakens what is behind (Formulas R1). Their number does not depend on colours.
-  const std::vector<float>& GetOpacities(std::size_t row) const { return this->Opacities[row]; }
+  /// that it weakens what is behind (Formulas R1).
+  std::vector<float> GetOpacities(std::size_t row) const;
   /// When the rows were filled last, and when they showed other scalars than before.
   vtkMTimeType GetFillTime() const { return this->FillTime.GetMTime(); }
   vtkMTimeType GetVisibilityTime() const { return this->VisibilityTime.GetMTime(); }
@@ -128,15 +128,12 @@ public:
 
 private:
   /// What a row is made from; pointers are compared, never followed.
-  using Key = std::tuple<std::array<const void*, 3>, std::array<vtkMTimeType, 3>,
-    std::array<double, 2>, bool, std::array<double, 2>, bool, bool>;
-  static Key MakeKey(const vtkTextureSliceRow& row);
+  using Key = std::tuple<const void*, const void*, const void*, vtkMTimeType, vtkMTimeType,
+    vtkMTimeType, std::array<double, 2>, bool, std::array<double, 2>, bool, bool>;
   void Fill(const std::vector<vtkTextureSliceRow>& rows, std::size_t width);
-  void FillOpacities(vtkOpenGLRenderWindow* window, std::vector<vtkTextureSliceRow> rows);
 
   vtkNew<vtkTextureObject> Texture;
   std::vector<float> Entries;
-  std::vector<std::vector<float>> Opacities;           ///< one for each row
   std::vector<vtkTextureSliceVisibility> Visibilities; ///< one for each row
   vtkTimeStamp FillTime;
   vtkTimeStamp VisibilityTime;

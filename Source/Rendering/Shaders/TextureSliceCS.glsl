@@ -13,9 +13,8 @@ uniform ivec2 endOfPixels;
 void main()
 {
   ivec2 pixel = firstPixel + ivec2(gl_GlobalInvocationID.xy);
-  if (all(lessThan(pixel, endOfPixels)))
+  if (all(lessThan(pixel, endOfPixels)) && StartRay(vec2(pixel) + 0.5))
   {
-    bool meets = StartRay(vec2(pixel) + 0.5, TEXTURE_SLICE_LEAST_SLICES);
-    imageStore(pictureImage, pixel, meets ? March() : vec4(0.0));
+    imageStore(pictureImage, pixel, March());
   }
 }

@@ -16,7 +16,7 @@ uniform vec3 partHigh;
 // In texture coordinates; what is below 0 is cut away.
 uniform vec4 clippingPlanes[TEXTURE_SLICE_CLIPPING_PLANES];
 #endif
-// See vtkTextureSlicePlanes::GetDepthToSlice.
+// See vtkTextureSlicePlanes::DepthToSlice.
 uniform vec4 depthToSlice;
 // Pixels of the window for one pixel of the picture.
 uniform float pixelSize;
@@ -137,9 +137,18 @@ vec2 FindSpan()
   return span;
 }
 
+// What each ray has, however short its way.
+#ifdef TEXTURE_SLICE_SLABS
+const float leastSlices = 4.0;
+#elif defined TEXTURE_SLICE_POLYGONS
+const float leastSlices = 0.0;
+#else
+const float leastSlices = 2.0;
+#endif
+
 // False where the ray meets nothing that is drawn. A ray whose way is short against the distance of two
-// planes has slices of its own, as many as that.
-bool StartRay(vec2 pixel, float leastSlices)
+// planes has slices of its own.
+bool StartRay(vec2 pixel)
 {
   windowPixel = ivec2(pixel * pixelSize);
   rayOrigin = placeOfPixel * vec3(pixel, 1.0);
