@@ -21,9 +21,8 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <string>
+#include <utility>
 
 vtkStandardNewMacro(vtkOpenGLTextureSliceVolumeMapper);
 
@@ -214,11 +213,8 @@ std::string vtkOpenGLTextureSliceVolumeMapper::UpdateVolume(
            "matrix";
   }
   parts.Use(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
-  if (this->UpdateMask(error))
-  {
-    parts.UpdateVolume(error);
-  }
-  return error;
+  error = this->UpdateMask();
+  return error.empty() ? parts.UpdateVolume() : error;
 }
 
 bool vtkOpenGLTextureSliceVolumeMapper::PreLoadData(vtkRenderer* renderer, vtkVolume* volume)
@@ -229,13 +225,12 @@ bool vtkOpenGLTextureSliceVolumeMapper::PreLoadData(vtkRenderer* renderer, vtkVo
     return false;
   }
   window->Initialize(); // it may not have been drawn yet
-  const std::string refused = this->UpdateVolume(renderer, volume);
-  return refused.empty() || this->Accept(refused);
+  return this->Accept(this->UpdateVolume(renderer, volume));
 }
 
 bool vtkOpenGLTextureSliceVolumeMapper::Accept(const std::string& refused)
 {
-  if (vtkTextureSliceParts::IsNews(this->Parts->Refused, refused))
+  if (std::exchange(this->Parts->Said[0], refused) != refused && !refused.empty())
   {
     vtkErrorMacro(<< refused);
   }
@@ -246,7 +241,8 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawVolume(vtkRenderer* renderer,
 {
   vtkTextureSliceParts& parts = *this->Parts;
   const std::string refused = this->UpdateVolume(renderer, volume);
-  if (!refused.empty() || parts.Request.IsEmpty())
+  if (!refused.empty() ||
+      (this->BlendMode == ISOSURFACE_BLEND && parts.Request.GetIsoValues().empty()))
   {
     return refused;
   }
@@ -275,15 +271,13 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawVolume(vtkRenderer* renderer,
 void vtkOpenGLTextureSliceVolumeMapper::RenderVolume(vtkRenderer* renderer, vtkVolume* volume)
 {
   this->Accept(this->DrawVolume(renderer, volume));
-  const std::string ignored = FindIgnored(volume);
-  if (vtkTextureSliceParts::IsNews(this->Parts->Ignored, ignored))
+  const std::array<std::string, 2> warnings{FindIgnored(volume), this->Parts->Ways.GetFallback()};
+  for (std::size_t i = 0; i < warnings.size(); ++i)
   {
-    vtkWarningMacro(<< ignored);
-  }
-  const std::string fallback = this->Parts->Ways.GetFallback();
-  if (vtkTextureSliceParts::IsNews(this->Parts->Fallback, fallback))
-  {
-    vtkWarningMacro(<< fallback);
+    if (std::exchange(this->Parts->Said[i + 1], warnings[i]) != warnings[i] && !warnings[i].empty())
+    {
+      vtkWarningMacro(<< warnings[i]);
+    }
   }
 }
 
@@ -352,7 +346,8 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawSlices(vtkRenderer* renderer)
   for (int picture = 0; picture < parts.Peeling.CountPictures() && error.empty(); ++picture)
   {
     parts.Peeling.SetPicture(picture);
-    if (parts.Draw(error) && this->RenderToImage)
+    error = parts.Draw();
+    if (error.empty() && this->RenderToImage)
     {
       error = this->TakeImages(true);
     }
@@ -381,8 +376,8 @@ std::string vtkOpenGLTextureSliceVolumeMapper::TakeImages(bool isDrawn)
     parts.Features.BlendMode =
       parts.Request.ShowsPlaces() ? this->BlendMode : static_cast<int>(COMPOSITE_BLEND);
     parts.Seen = parts.Frame.Cut.Part;
-    std::string error;
-    if (!parts.Draw(error))
+    const std::string error = parts.Draw();
+    if (!error.empty())
     {
       return error;
     }
@@ -444,13 +439,13 @@ vtkSmartPointer<vtkObject> vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(
     vtkTextureSliceChecksums::SafeDownCast(before));
 }
 
-bool vtkOpenGLTextureSliceVolumeMapper::UpdateMask(std::string& error)
+std::string vtkOpenGLTextureSliceVolumeMapper::UpdateMask()
 {
   vtkTextureSliceParts& parts = *this->Parts;
   parts.MaskValues = nullptr;
   if (this->MaskInput == nullptr)
   {
-    return true;
+    return "";
   }
   const bool cellData = this->CellFlag == 1;
   vtkDataArray* values =
@@ -462,12 +457,11 @@ bool vtkOpenGLTextureSliceVolumeMapper::UpdateMask(std::string& error)
       vtkTextureSliceScalars::GetSize(this->MaskInput, cellData) !=
         vtkTextureSliceScalars::GetSize(parts.Image, cellData))
   {
-    error = std::string("the mask must have the dimensions of the volume and ") +
-            (cellData ? "cell" : "point") + " scalars of one unsigned char";
-    return false;
+    return std::string("the mask must have the dimensions of the volume and ") +
+           (cellData ? "cell" : "point") + " scalars of one unsigned char";
   }
   return parts.Mask.Update(
-    parts.Window, vtkTextureSliceScalars::Find(this->MaskInput, values, cellData), true, error);
+    parts.Window, vtkTextureSliceScalars::Find(this->MaskInput, values, cellData), true);
 }
 
 std::array<double, 6> vtkOpenGLTextureSliceVolumeMapper::FindSeen() const
@@ -476,7 +470,7 @@ std::array<double, 6> vtkOpenGLTextureSliceVolumeMapper::FindSeen() const
   // A sum is black wherever there are samples.
   for (std::size_t axis = 0; axis < 3 && this->BlendMode != ADDITIVE_BLEND; ++axis)
   {
-    const std::array<double, 6>& visible = this->Parts->EmptySpace.GetSeen();
+    const std::array<double, 6>& visible = this->Parts->EmptySpace.Seen;
     seen[2 * axis] = std::max(seen[2 * axis], visible[2 * axis]);
     seen[2 * axis + 1] = std::min(seen[2 * axis + 1], visible[2 * axis + 1]);
   }
@@ -491,7 +485,7 @@ void vtkOpenGLTextureSliceVolumeMapper::SetUniforms(vtkRenderer* renderer)
   features.Masked = parts.Texture.IsMasked();
   features.SecondMasked = features.SecondArray > 0 && parts.SecondArray.IsMasked();
   features.Rectilinear = parts.Coordinates.IsUsed();
-  features.Blanked = parts.Blanks.IsUsed();
+  features.Blanked = parts.HasBlanks;
   features.Cropped = parts.Frame.Cut.CropFlags != -1;
   features.Parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
   features.Shadows = parts.Shadows.IsUsed();

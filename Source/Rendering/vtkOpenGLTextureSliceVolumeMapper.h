@@ -302,7 +302,7 @@ private:
   void RenderVolume(vtkRenderer* renderer, vtkVolume* volume);
   vtkTextureSliceRequest MakeRequest(
     vtkVolumeProperty* property, vtkDataSet* input, vtkDataArray* scalars, bool cellData);
-  bool UpdateMask(std::string& error);
+  std::string UpdateMask();
   double ChooseImageSampleDistance(double allowedTime);
   double ChooseSampleDistance();
   void UpdateShadows();

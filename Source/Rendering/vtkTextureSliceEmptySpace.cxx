@@ -11,50 +11,11 @@
 #include "vtkVolumeMapper.h"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <limits>
 
 namespace
 {
-
-constexpr unsigned char Most = vtkTextureSliceDistanceMap::MostDistance;
-
-/// One row of bricks.
-struct Row
-{
-  const unsigned char* Visible;
-  unsigned char* Distances;
-  int Length;
-  int ToNext; ///< 1 or -1: where rays go
-};
-
-/// Distances of a row, from its far end back: one more than the least of the seven bricks ahead.
-/// @param beside distances of the three rows ahead.
-/// @param nearest, limits room for Length + 2 and for Length numbers.
-void FillRow(const Row& row, const std::array<const unsigned char*, 3>& beside,
-  unsigned char* nearest, unsigned char* limits)
-{
-  const auto [besideY, besideZ, besideBoth] = beside;
-  nearest[0] = nearest[row.Length + 1] = Most;
-  for (int x = 0; x < row.Length; ++x)
-  {
-    nearest[x + 1] = std::min(std::min(besideY[x], besideZ[x]), besideBoth[x]);
-  }
-  for (int x = 0; x < row.Length; ++x)
-  {
-    const unsigned char clear = std::min(nearest[x + 1], nearest[x + 1 + row.ToNext]);
-    const auto further = static_cast<unsigned char>(clear + (clear < Most ? 1 : 0));
-    limits[x] = row.Visible[x] != 0 ? static_cast<unsigned char>(0) : further;
-  }
-  int distance = Most;
-  int x = row.ToNext > 0 ? row.Length - 1 : 0;
-  for (int i = 0; i < row.Length; ++i, x -= row.ToNext)
-  {
-    distance = std::min(distance + 1, static_cast<int>(limits[x]));
-    row.Distances[x] = static_cast<unsigned char>(distance);
-  }
-}
 
 using Range = vtkTextureSliceBricks::Range;
 using Source = vtkTextureSliceParts;
@@ -82,7 +43,6 @@ double FindMargin(const Source& source, const vtkTextureSliceFeatures& features)
   return features.Slabs ? 1.0 / static_cast<double>(width - 1) : 0.0;
 }
 
-/// The opacities of one component of a brick are above 0 somewhere.
 Test MakeOpacityTest(const Source& source, const vtkTextureSliceFeatures& features, std::size_t row)
 {
   const auto& components = source.Texture.GetComponents();
@@ -125,7 +85,6 @@ Test MakeAverageTest(const Source& source, std::size_t component)
   };
 }
 
-/// A surface passes through the brick.
 Test MakeSurfaceTest(const Source& source)
 {
   const std::size_t component = source.Texture.GetComponents().size() - 1;
@@ -182,28 +141,38 @@ void vtkTextureSliceDistanceMap::Build(const std::array<int, 3>& count,
 void vtkTextureSliceDistanceMap::Fill(
   unsigned int octant, const std::vector<unsigned char>& visible)
 {
-  const auto [length, height, layers] = this->Count;
-  unsigned char* const map = this->Distances.data() + octant * visible.size();
-  const auto along = [octant](unsigned int axis) { return (octant >> axis & 1) != 0 ? -1 : 1; };
-  const auto begin = [this](int y, int z)
-  { return static_cast<std::size_t>(z * this->Count[1] + y) * this->Count[0]; };
-  const std::vector<unsigned char> outside(static_cast<std::size_t>(length), Most);
-  const auto rowAt = [&](int y, int z)
+  // One more than the least of the seven bricks ahead. There is a border of bricks that are far
+  // from all visible ones.
+  const std::ptrdiff_t rowStride = this->Count[0] + 2;
+  const std::ptrdiff_t layerStride = rowStride * (this->Count[1] + 2);
+  std::vector<unsigned char> map(
+    static_cast<std::size_t>(layerStride * (this->Count[2] + 2)), MostDistance);
+  const std::ptrdiff_t x = (octant & 1) != 0 ? -1 : 1;
+  const std::ptrdiff_t y = (octant & 2) != 0 ? -rowStride : rowStride;
+  const std::ptrdiff_t z = (octant & 4) != 0 ? -layerStride : layerStride;
+  const auto inTurn = [this, octant](std::size_t axis, int i)
+  { return (octant >> axis & 1) != 0 ? i : this->Count[axis] - 1 - i; };
+  for (int iz = 0; iz < this->Count[2]; ++iz)
   {
-    const bool inside = y >= 0 && y < this->Count[1] && z >= 0 && z < this->Count[2];
-    return inside ? map + begin(y, z) : outside.data();
-  };
-  std::vector<unsigned char> nearest(static_cast<std::size_t>(length) + 2);
-  std::vector<unsigned char> limits(static_cast<std::size_t>(length));
-  for (int iz = 0; iz < layers; ++iz)
-  {
-    const int z = along(2) > 0 ? layers - 1 - iz : iz;
-    for (int iy = 0; iy < height; ++iy)
+    for (int iy = 0; iy < this->Count[1]; ++iy)
     {
-      const int y = along(1) > 0 ? height - 1 - iy : iy;
-      FillRow({visible.data() + begin(y, z), map + begin(y, z), length, along(0)},
-        {rowAt(y + along(1), z), rowAt(y, z + along(2)), rowAt(y + along(1), z + along(2))},
-        nearest.data(), limits.data());
+      const std::ptrdiff_t row = std::ptrdiff_t{inTurn(2, iz)} * this->Count[1] + inTurn(1, iy);
+      const unsigned char* seen = visible.data() + row * this->Count[0];
+      unsigned char* distances =
+        this->Distances.data() + octant * visible.size() + row * this->Count[0];
+      unsigned char* here =
+        map.data() + (inTurn(2, iz) + 1) * layerStride + (inTurn(1, iy) + 1) * rowStride + 1;
+      for (int ix = 0; ix < this->Count[0]; ++ix)
+      {
+        const int column = inTurn(0, ix);
+        const unsigned char* d = here + column;
+        const unsigned char least =
+          std::min({d[x], d[y], d[z], d[x + y], d[x + z], d[y + z], d[x + y + z]});
+        here[column] = seen[column] != 0
+                         ? 0
+                         : static_cast<unsigned char>(least + (least < MostDistance ? 1 : 0));
+        distances[column] = here[column];
+      }
     }
   }
 }
@@ -267,18 +236,12 @@ void vtkTextureSliceDistanceMap::SetUniforms(
   program->SetUniform3f("lastBrick", last.data());
 }
 
-vtkTextureSliceEmptySpace::Key vtkTextureSliceEmptySpace::MakeKey(const Source& source)
-{
-  return {source.Texture.GetBricks().GetBuildTime(), source.Table.GetVisibilityTime(),
-    source.Table2D.GetFillTime(),
-    {source.Request.Mapper->GetAverageIPScalarRange()[0],
-      source.Request.Mapper->GetAverageIPScalarRange()[1]},
-    source.Request.GetIsoValues(), source.Request.GetFeatures().GetDefines()};
-}
-
 void vtkTextureSliceEmptySpace::Update(const Source& source)
 {
-  Key key = MakeKey(source);
+  const double* range = source.Request.Mapper->GetAverageIPScalarRange();
+  Key key{source.Texture.GetBricks().BuildTime, source.Table.GetFillTime(),
+    source.Table2D.GetFillTime(), {range[0], range[1]}, source.Request.GetIsoValues(),
+    source.Request.GetFeatures().GetDefines()};
   if (key == this->Last)
   {
     return;
@@ -287,17 +250,17 @@ void vtkTextureSliceEmptySpace::Update(const Source& source)
   const std::vector<unsigned char> before = this->Visible;
   this->FindVisible(source);
   const vtkTextureSliceBricks& bricks = source.Texture.GetBricks();
-  if (this->Visible == before && bricks.GetEdge() == this->Distances.GetEdge())
+  if (this->Visible == before && bricks.Edge == this->Distances.Edge)
   {
     return; // another colour, or another opacity of what is visible
   }
-  this->Distances.Build(bricks.GetCount(), bricks.GetEdge(), this->Visible);
+  this->Distances.Build(bricks.Count, bricks.Edge, this->Visible);
   this->Seen = this->Distances.FindSeen();
 }
 
 void vtkTextureSliceEmptySpace::FindVisible(const Source& source)
 {
-  const std::vector<vtkTextureSliceBricks::Range>& ranges = source.Texture.GetBricks().GetRanges();
+  const std::vector<vtkTextureSliceBricks::Range>& ranges = source.Texture.GetBricks().Ranges;
   const std::size_t components = source.Texture.GetComponents().size();
   this->Visible.resize(ranges.size() / components);
   const auto tests = MakeTests(source);
@@ -308,13 +271,6 @@ void vtkTextureSliceEmptySpace::FindVisible(const Source& source)
            ++brick)
       {
         const auto* const own = ranges.data() + brick * components;
-        // Bricks without echoes have the ranges of those before them.
-        if (static_cast<vtkIdType>(brick) > begin &&
-            std::equal(own, own + components, own - components))
-        {
-          this->Visible[brick] = this->Visible[brick - 1];
-          continue;
-        }
         const bool visible =
           std::any_of(tests.begin(), tests.end(), [own](const Test& test) { return test(own); });
         this->Visible[brick] = visible ? 1 : 0;

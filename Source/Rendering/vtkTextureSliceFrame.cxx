@@ -134,16 +134,10 @@ vtkTextureSlicePixelMap MapPixels(const vtkTextureSliceView& view, double depthO
   };
   const Vector somewhere = solve(0.0, 0.0, depthOfPlane - depth[3]);
   const double w = Evaluate(RowOf(view.BoxToClip, 3), somewhere);
-  vtkTextureSlicePixelMap map;
-  map.Right = solve(2.0 * w / view.Viewport[0], 0.0, 0.0);
-  map.Up = solve(0.0, 2.0 * w / view.Viewport[1], 0.0);
-  map.Origin = solve(-w - right[3], -w - up[3], depthOfPlane - depth[3]);
+  const vtkTextureSlicePixelMap map{solve(2.0 * w / view.Viewport[0], 0.0, 0.0),
+    solve(0.0, 2.0 * w / view.Viewport[1], 0.0),
+    solve(-w - right[3], -w - up[3], depthOfPlane - depth[3])};
   return map;
-}
-
-Vector Minus(const Vector& a, const Vector& b)
-{
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
 std::array<float, 4> MapDepths(
@@ -157,22 +151,6 @@ std::array<float, 4> MapDepths(
   const double wStep = Evaluate({wRow[0], wRow[1], wRow[2], 0.0}, toNext);
   return {static_cast<float>(w - z), static_cast<float>(w), static_cast<float>(zStep - wStep),
     static_cast<float>(wStep)};
-}
-
-/// The first and the last of the three parts of an axis of which some region is drawn.
-std::array<std::size_t, 2> FindKeptParts(int regionFlags, std::size_t axis)
-{
-  constexpr std::array<unsigned int, 3> weights{1, 3, 9};
-  std::array<std::size_t, 2> kept{2, 0};
-  for (unsigned int region = 0; region < 27; ++region)
-  {
-    if ((static_cast<unsigned int>(regionFlags) >> region & 1U) != 0)
-    {
-      const std::size_t part = region / weights[axis] % 3;
-      kept = {std::min(kept[0], part), std::max(kept[1], part)};
-    }
-  }
-  return kept;
 }
 
 } // namespace
@@ -192,10 +170,12 @@ void vtkTextureSlicePlanes::Place(const vtkTextureSliceView& view)
                        FindShift(view, depth, nearest, this->DepthStep, this->NumberOfSlices);
   this->DataStep = this->DepthStep * FindDataPerDepth(view);
   this->Places = MapPixels(view, this->NearestDepth);
-  const vtkTextureSlicePixelMap next = MapPixels(view, this->NearestDepth + this->DepthStep);
-  this->Steps = {Minus(next.Right, this->Places.Right), Minus(next.Up, this->Places.Up),
-    Minus(next.Origin, this->Places.Origin)};
-  this->DepthToSlice = MapDepths(view, this->Places.Origin, this->Steps.Origin);
+  this->Steps = MapPixels(view, this->NearestDepth + this->DepthStep);
+  for (std::size_t i = 0; i < 9; ++i)
+  {
+    this->Steps[i / 3][i % 3] -= this->Places[i / 3][i % 3];
+  }
+  this->DepthToSlice = MapDepths(view, this->Places[2], this->Steps[2]);
 }
 
 void vtkTextureSliceFrame::SetVolume(vtkImageData* image, bool cellData, vtkVolume* volume)
@@ -294,13 +274,12 @@ void vtkTextureSliceFrame::SetCuts(vtkVolumeMapper* mapper)
     const double low = (cropping[2 * axis] - this->Origin[axis]) / edge;
     const double high = (cropping[2 * axis + 1] - this->Origin[axis]) / edge;
     const auto [lower, upper] = std::minmax(low, high); // a negative spacing swaps them
-    const std::array<double, 4> borders{
-      0.0, std::clamp(lower, 0.0, 1.0), std::clamp(upper, 0.0, 1.0), 1.0};
-    const auto [first, last] = FindKeptParts(regions, axis);
-    this->Cut.Part[2 * axis] = borders[first];
-    this->Cut.Part[2 * axis + 1] = borders[last + 1];
-    // The part alone does not do it for other regions.
-    if (regions != VTK_CROP_SUBVOLUME)
+    if (regions == VTK_CROP_SUBVOLUME)
+    {
+      this->Cut.Part[2 * axis] = std::clamp(lower, 0.0, 1.0);
+      this->Cut.Part[2 * axis + 1] = std::clamp(upper, 0.0, 1.0);
+    }
+    else
     {
       this->Cut.CropFlags = regions;
       this->Cut.CropLow[axis] = low;

@@ -47,13 +47,9 @@ struct vtkTextureSliceView
   std::array<int, 2> Viewport{1, 1};
 };
 
-/// A vector that depends on a pixel: Right * x + Up * y + Origin, pixels' centres at one half.
-struct vtkTextureSlicePixelMap
-{
-  std::array<double, 3> Right{};
-  std::array<double, 3> Up{};
-  std::array<double, 3> Origin{};
-};
+/// A vector that depends on a pixel: the first one times x, plus the second one times y, plus the
+/// third one; pixels' centres lie at one half.
+using vtkTextureSlicePixelMap = std::array<std::array<double, 3>, 3>;
 
 /**
  * Planes of equal depth, in the middle of equal intervals between the nearest and the farthest
@@ -79,10 +75,8 @@ struct VTKNEXRADRENDERING_EXPORT vtkTextureSlicePlanes
   /// coordinates.
   vtkTextureSlicePixelMap Places;
   vtkTextureSlicePixelMap Steps;
-  /**
-   * a, b, c, d that give the place on a ray at a depth of the window (0 to 1). With m the double of
-   * what the depth lacks to 1, it is (a - m * b) / (c + m * d).
-   */
+  /// a, b, c, d that give the place on a ray at a depth of the window (0 to 1). With m the double
+  /// of what the depth lacks to 1, it is (a - m * b) / (c + m * d).
   std::array<float, 4> DepthToSlice{};
 };
 
@@ -104,7 +98,6 @@ struct vtkTextureSliceFrame
   bool IsFlat() const;
   /// A direction in world coordinates as data lengths along the box's axes, towards higher indices.
   std::array<double, 3> GetDataDirection(const std::array<double, 3>& world) const;
-  /// A plane in box coordinates as one in texture coordinates.
   std::array<float, 4> ToTexture(const std::array<double, 4>& box) const;
   /// The clipping planes that cut something of the part off, four numbers each, in texture
   /// coordinates; what is below 0 is cut away.

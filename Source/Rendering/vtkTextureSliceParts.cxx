@@ -27,13 +27,10 @@ std::array<float, 9> ToTexture(const vtkTextureSlicePixelMap& map,
   const std::array<float, 3>& scale, const std::array<float, 3>& bias)
 {
   std::array<float, 9> columns{};
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  for (std::size_t i = 0; i < 9; ++i)
   {
-    const auto perBox = static_cast<double>(scale[axis]);
-    columns[axis] = static_cast<float>(map.Right[axis] * perBox);
-    columns[3 + axis] = static_cast<float>(map.Up[axis] * perBox);
-    columns[6 + axis] =
-      static_cast<float>(map.Origin[axis] * perBox + static_cast<double>(bias[axis]));
+    const double place = map[i / 3][i % 3] * static_cast<double>(scale[i % 3]);
+    columns[i] = static_cast<float>(i < 6 ? place : place + static_cast<double>(bias[i % 3]));
   }
   return columns;
 }
@@ -97,7 +94,7 @@ std::vector<vtkTextureSliceParts::Sampler> vtkTextureSliceParts::FindSamplers()
     {features.HasMask(), "maskTexture", this->Mask.GetTexture()},
     {features.Shadows, "lightTexture", this->Shadows.GetTexture()},
     {features.NeedsDepth(), "geometryDepth", this->Target.GetGeometryDepth()},
-    {features.Skipping, "distanceMap", this->EmptySpace.GetDistances().GetTexture()},
+    {features.Skipping, "distanceMap", this->EmptySpace.Distances.Texture},
     {features.Slabs, "integralTable", this->Integrals.GetTexture()}};
 }
 
@@ -110,11 +107,9 @@ void vtkTextureSliceParts::SetUniforms(vtkShaderProgram* program)
   this->Request.SetUniforms(
     this->Texture.GetComponents(), this->SecondArray.GetComponents(), program);
   this->Table.SetUniforms(program);
-  this->Blanks.SetUniforms(program);
-  this->EmptySpace.GetDistances().SetUniforms(program, this->Frame);
+  this->EmptySpace.Distances.SetUniforms(program, this->Frame);
   program->SetUniformf("labelWeight", this->Request.Mapper->GetMaskBlendFactor());
   program->SetUniformf("table2DRows", static_cast<float>(this->Table2D.GetNumberOfRows()));
-  this->Coordinates.SetUniforms(program);
   program->SetUniformi("slabsOfPiece", vtkTextureSliceFeatures::SlabsOfPiece);
   this->Integrals.SetUniforms(program);
   if (features.Lights >= 0)
@@ -149,13 +144,6 @@ void vtkTextureSliceParts::DrawWith(vtkShaderProgram* program, const std::functi
     active.rbegin(), active.rend(), [](vtkTextureObject* texture) { texture->Deactivate(); });
 }
 
-bool vtkTextureSliceParts::IsNews(std::string& last, const std::string& message)
-{
-  const bool news = last != message;
-  last = message;
-  return news && !message.empty();
-}
-
 void vtkTextureSliceParts::Release(vtkOpenGLRenderWindow* window)
 {
   if (window == nullptr)
@@ -183,29 +171,38 @@ void vtkTextureSliceParts::Use(vtkOpenGLRenderWindow* window)
   window->MakeCurrent();
 }
 
-bool vtkTextureSliceParts::UpdateVolume(std::string& error)
+std::string vtkTextureSliceParts::UpdateVolume()
 {
-  const bool cellData = this->Frame.CellData;
   // As in VTK's ray caster, "nearest" holds for the tables as well as for the volume.
   const bool nearest = this->Request.IsNearest();
+  const bool cellData = this->Frame.CellData;
   if (this->Coordinates.IsUsed())
   {
     this->Coordinates.Update(this->Window);
   }
   auto source = vtkTextureSliceScalars::Find(this->Image, this->Scalars, cellData);
   source.Places = this->Coordinates.GetPlaces();
-  if (!this->Texture.Update(this->Window, source, nearest, error))
+  std::string error = this->Texture.Update(this->Window, source, nearest);
+  if (!error.empty())
   {
-    return false;
+    return error;
   }
   this->Table.Update(this->Window, this->Request.MakeRows(this->Texture.GetComponents()), nearest);
-  return this->Blanks.Update(this->Window, this->Image, cellData, error) &&
-         (!this->Request.ReadsSecondArray() ||
-           this->SecondArray.Update(this->Window,
-             vtkTextureSliceScalars::Find(this->Image, this->Request.SecondArray, cellData),
-             nearest, error)) &&
-         (!this->Request.GetFeatures().Table2D ||
-           this->Table2D.Update(this->Window, this->Request.MakeTables2D(), nearest, error));
+  vtkUnsignedCharArray* flags = vtkTextureSliceScalars::FindGhosts(this->Image, !cellData);
+  this->HasBlanks = flags != nullptr && flags->GetRange()[1] > 0.0;
+  if (this->HasBlanks)
+  {
+    error = this->Blanks.Update(
+      this->Window, {flags, vtkTextureSliceScalars::GetSize(this->Image, !cellData)}, true);
+  }
+  if (error.empty() && this->Request.ReadsSecondArray())
+  {
+    error = this->SecondArray.Update(this->Window,
+      vtkTextureSliceScalars::Find(this->Image, this->Request.SecondArray, cellData), nearest);
+  }
+  return error.empty() && this->Request.GetFeatures().Table2D
+           ? this->Table2D.Update(this->Window, this->Request.MakeTables2D(), nearest)
+           : error;
 }
 
 void vtkTextureSliceParts::UpdateIntegrals()
@@ -220,26 +217,25 @@ void vtkTextureSliceParts::UpdateIntegrals()
   this->Integrals.Update(this->Window, this->Table, this->Features.CountFunctions(), mostDepth);
 }
 
-bool vtkTextureSliceParts::Draw(std::string& error)
+std::string vtkTextureSliceParts::Draw()
 {
   if (!this->Ways.Choose(*this))
   {
-    error = "OpenGL could not compile the shaders of the slices";
-    return false;
+    return "OpenGL could not compile the shaders of the slices";
   }
-  if (!this->Target.Begin(*this, this->Ways.NeedsFullPrecision() || this->Features.Places, error))
+  std::string error = this->Target.Begin(*this);
+  if (error.empty())
   {
-    return false;
+    if (this->Features.Slabs)
+    {
+      this->UpdateIntegrals();
+    }
+    if (this->Features.Skipping)
+    {
+      this->EmptySpace.Distances.Upload(this->Window);
+    }
+    this->Ways.Draw(*this);
+    this->Target.End();
   }
-  if (this->Features.Slabs)
-  {
-    this->UpdateIntegrals();
-  }
-  if (this->Features.Skipping)
-  {
-    this->EmptySpace.GetDistances().Upload(this->Window);
-  }
-  this->Ways.Draw(*this);
-  this->Target.End();
-  return true;
+  return error;
 }

@@ -46,7 +46,10 @@ struct vtkTextureSliceParts
   vtkTextureSliceCoordinates Coordinates; ///< used if Features.Rectilinear
   vtkTextureSliceTexture SecondArray;     ///< used if Features.SecondArray is above 0
   vtkTextureSliceTable2D Table2D;         ///< used if Features.Table2D
-  vtkTextureSliceBlanks Blanks;           ///< used if Features.Blanked
+  /// Flags of cells (or, beside scalars of cells, of points) that hide what is in them (or nearest
+  /// to them); used if Features.Blanked.
+  vtkTextureSliceTexture Blanks;
+  bool HasBlanks = false;
   vtkTextureSliceTexture Mask;            ///< used if Features.HasMask()
   vtkTextureSliceIntegralTable Integrals; ///< used if Features.Slabs
   vtkTextureSliceLights Lights;
@@ -66,14 +69,9 @@ struct vtkTextureSliceParts
 
   /// The window whose context owns the graphics resources.
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
-  /// What the last frame refused, and what it ignored: the same is not said again.
-  std::string Refused;
-  std::string Ignored;
-  /// Why it was drawn in another way than asked for.
-  std::string Fallback;
-
-  /// Whether a message that is repeated each frame is another one than in the last frame.
-  static bool IsNews(std::string& last, const std::string& message);
+  /// What was said of the last frame: what it refused, what it ignored, and why it was drawn in
+  /// another way than asked for. The same is not said again.
+  std::array<std::string, 3> Said;
 
   /// Deletes the graphics resources in the context of the window that owns them; the current
   /// context stays the same.
@@ -82,10 +80,10 @@ struct vtkTextureSliceParts
   void Use(vtkOpenGLRenderWindow* window);
 
   /// Brings the textures of the volume and of the functions up to date.
-  /// @return false with one line in @a error
-  bool UpdateVolume(std::string& error);
-  /// Draws the slices into the target. @return false with one line in @a error
-  bool Draw(std::string& error);
+  /// @return in one line why they cannot be, or nothing
+  std::string UpdateVolume();
+  /// Draws the slices into the target. @return in one line why it cannot, or nothing
+  std::string Draw();
   /// Draws with a shader that is ready, which gets everything that it reads.
   void DrawWith(vtkShaderProgram* program, const std::function<void()>& draw);
 

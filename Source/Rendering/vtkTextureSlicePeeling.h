@@ -27,10 +27,8 @@ public:
     Rest     ///< all that is left when there are no peels any more
   };
 
-  /**
-   * Asks the render passes that draw the volume what they want.
-   * @return one line that says why they cannot have it; nullptr if they can
-   */
+  /// Asks the render passes that draw the volume what they want.
+  /// @return one line that says why they cannot have it; nullptr if they can
   const char* Update(vtkRenderer* renderer, vtkAbstractMapper* mapper, vtkVolume* volume);
   Stage GetStage() const { return this->Asked; }
 

@@ -12,7 +12,6 @@
 #include "vtkTextureSlicePeeling.h"
 #include "vtkVersionMacros.h"
 #include "vtkVolumeMapper.h"
-#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <initializer_list>
@@ -252,26 +251,6 @@ vtkPlane* vtkTextureSliceRequest::GetSlicePlane() const
   return plane != nullptr && vtkMath::Norm(plane->GetNormal()) > 0.0 ? plane : nullptr;
 }
 
-bool vtkTextureSliceRequest::IsEmpty() const
-{
-  return this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND && this->GetIsoValues().empty();
-}
-
-bool vtkTextureSliceRequest::IsNearest() const
-{
-  return this->Property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
-}
-
-bool vtkTextureSliceRequest::IsIndependent() const
-{
-  return this->Property->GetIndependentComponents() != 0;
-}
-
-bool vtkTextureSliceRequest::Has2D() const
-{
-  return this->Property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D;
-}
-
 int vtkTextureSliceRequest::CountLabels() const
 {
   // Labels choose the colour of a sample; projections show none.
@@ -294,11 +273,6 @@ bool vtkTextureSliceRequest::IntegratesSlabs() const
   return this->Mapper->GetPreIntegration() && this->GetContours().empty() &&
          this->BlendMode == vtkVolumeMapper::COMPOSITE_BLEND && !this->Has2D() &&
          !this->IsNearest();
-}
-
-bool vtkTextureSliceRequest::IsShaded() const
-{
-  return this->ShowsPlaces() && this->Property->GetShade(0) != 0;
 }
 
 bool vtkTextureSliceRequest::HasGradientOpacity() const
@@ -408,11 +382,6 @@ std::vector<vtkImageData*> vtkTextureSliceRequest::MakeTables2D() const
     tables.push_back(this->Property->GetTransferFunction2D(i));
   }
   return tables;
-}
-
-double vtkTextureSliceRequest::GetUnitDistance(int component) const
-{
-  return this->Property->GetScalarOpacityUnitDistance(this->GetFunctions(component));
 }
 
 double vtkTextureSliceRequest::GetWeight(int component) const

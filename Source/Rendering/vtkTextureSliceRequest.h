@@ -6,6 +6,7 @@
 #include "vtkTextureSliceTables.h"
 #include "vtkTextureSliceTexture.h"
 #include "vtkType.h"
+#include "vtkVolumeProperty.h"
 
 #include <array>
 #include <string>
@@ -16,7 +17,6 @@ class vtkImageData;
 class vtkOpenGLTextureSliceVolumeMapper;
 class vtkPlane;
 class vtkShaderProgram;
-class vtkVolumeProperty;
 
 /// Each combination is a shader program of its own, which compiles only what it needs.
 struct vtkTextureSliceFeatures
@@ -95,30 +95,31 @@ struct vtkTextureSliceRequest
   std::vector<float> FindIsoValues(const std::vector<vtkTextureSliceComponent>& components) const;
   /// The plane that slice blending shows; nullptr in other blend modes.
   vtkPlane* GetSlicePlane() const;
-  /// Whether nothing is to be seen: isosurfaces without values.
-  bool IsEmpty() const;
-  /// Whether scalars are not interpolated.
-  bool IsNearest() const;
+  bool IsNearest() const
+  {
+    return this->Property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
+  }
   /// Whether each component has its own functions.
-  bool IsIndependent() const;
+  bool IsIndependent() const { return this->Property->GetIndependentComponents() != 0; }
   /// Whether the blend mode shows places, not projected scalars.
   bool ShowsPlaces() const;
   /// Whether samples are lit: only where places are shown.
-  bool IsShaded() const;
+  bool IsShaded() const { return this->ShowsPlaces() && this->Property->GetShade(0) != 0; }
   /// What these ask of the shaders; what the frame and the texture add is left out.
   vtkTextureSliceFeatures GetFeatures() const;
-  /// For the transfer table; see vtkTextureSliceFeatures::CountRows.
   std::vector<vtkTextureSliceRow> MakeRows(
     const std::vector<vtkTextureSliceComponent>& components) const;
   /// One for each set of functions.
   std::vector<vtkImageData*> MakeTables2D() const;
-  /// Whether two-dimensional functions read a second array.
   bool ReadsSecondArray() const { return this->Has2D() && this->SecondArray != nullptr; }
 
   /// The functions of a component: its own, or the first ones.
   int GetFunctions(int component) const { return this->IsIndependent() ? component : 0; }
   /// The data length that a component's opacity stands for.
-  double GetUnitDistance(int component) const;
+  double GetUnitDistance(int component) const
+  {
+    return this->Property->GetScalarOpacityUnitDistance(this->GetFunctions(component));
+  }
   double GetWeight(int component) const;
 
   /// Sets what follows from the request and the scalars: how texels become 0 to 1, average range,
@@ -129,7 +130,6 @@ struct vtkTextureSliceRequest
 
 private:
   void SetMaterials(vtkShaderProgram* program) const;
-  /// Whether there is a mask of that type.
   bool HasMask(int type) const;
   /// Whether slabs are integrated over: where samples are blended by one-dimensional functions of
   /// scalars that are interpolated.
@@ -137,7 +137,10 @@ private:
   /// Whether a gradient opacity is other than 1 somewhere: VTK's fixed-point ray caster gives
   /// properties one that is not.
   bool HasGradientOpacity() const;
-  bool Has2D() const;
+  bool Has2D() const
+  {
+    return this->Property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D;
+  }
   int CountLabels() const;
   /// Label 0: the functions of a set.
   vtkTextureSliceRow MakeRow(int functions, int label, const vtkTextureSliceComponent& color,

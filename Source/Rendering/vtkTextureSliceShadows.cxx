@@ -171,8 +171,8 @@ void vtkTextureSliceShadows::Update(const Source& source, bool interactive)
   {
     return;
   }
-  Key key{{source.Texture.GetBricks().GetBuildTime(),
-            features.HasMask() ? source.MaskValues->GetMTime() : 0},
+  Key key{
+    {source.Texture.GetBricks().BuildTime, features.HasMask() ? source.MaskValues->GetMTime() : 0},
     MakeCells(source, mapper->GetShadowDensity()), FindLights(source)};
   // The shader weakens by surfaces themselves, too: not without a light, or a sky.
   this->Strength = {key.From.Shadow ? static_cast<float>(mapper->GetShadowStrength()) : 0.0f,
@@ -187,16 +187,9 @@ void vtkTextureSliceShadows::Update(const Source& source, bool interactive)
     this->MakeImage(source.Image, source.Frame.CellData);
     this->Texture->ReleaseGraphicsResources(source.Window);
   }
-  // Surfaces and shading weigh shadow and occlusion apart.
-  const bool apart = HasSurfaces(features) || source.Request.IsShaded();
-  std::array<float, 3> joined{};
-  if (!apart)
+  this->Exposure = static_cast<float>(mapper->GetExposure());
+  if (this->Texture->GetHandle() == 0)
   {
-    joined = {this->Strength[0], this->Strength[1], static_cast<float>(mapper->GetExposure())};
-  }
-  if (this->Texture->GetHandle() == 0 || joined != this->Joined)
-  {
-    this->Joined = joined;
     this->Upload(source.Window);
   }
 }
@@ -204,31 +197,11 @@ void vtkTextureSliceShadows::Update(const Source& source, bool interactive)
 void vtkTextureSliceShadows::Upload(vtkOpenGLRenderWindow* window)
 {
   const auto& size = this->Volume.GetGrid().Size;
-  const bool apart = this->Joined == std::array<float, 3>{};
-  std::vector<float> joined = apart ? std::vector<float>() : this->Join();
-  this->Texture->ReleaseGraphicsResources(window);
   this->Texture->SetContext(window);
-  this->Texture->ResetFormatAndType();
-  // A software renderer converts texels of 16 bits whenever it reads them.
-  this->Texture->SetInternalFormat(apart ? GL_RG16 : GL_R32F);
   vtkTextureSliceSetSampling(this->Texture, false);
   this->Texture->Create3DFromRaw(static_cast<unsigned int>(size[0]),
-    static_cast<unsigned int>(size[1]), static_cast<unsigned int>(size[2]), apart ? 2 : 1,
-    VTK_FLOAT, apart ? this->Volume.GetLight()->GetPointer(0) : joined.data());
-}
-
-/// What shadow and occlusion leave of a colour, for each cell (Formulas L2).
-std::vector<float> vtkTextureSliceShadows::Join() const
-{
-  const float* light = this->Volume.GetLight()->GetPointer(0);
-  std::vector<float> left(this->Volume.GetGrid().CountCells());
-  for (float& of : left)
-  {
-    const float shadow = 1.0f - this->Joined[0] * (1.0f - *light++);
-    const float occlusion = 1.0f - this->Joined[1] * (1.0f - *light++);
-    of = std::min(1.0f, this->Joined[2] * shadow * occlusion);
-  }
-  return left;
+    static_cast<unsigned int>(size[1]), static_cast<unsigned int>(size[2]), 2, VTK_FLOAT,
+    this->Volume.GetLight()->GetPointer(0));
 }
 
 void vtkTextureSliceShadows::MakeImage(vtkImageData* volume, bool cellData)
@@ -259,6 +232,7 @@ void vtkTextureSliceShadows::SetUniforms(
 {
   program->SetUniform3f("lightTextureScale", this->Volume.GetGrid().GetTextureScale().data());
   program->SetUniform2f("lightStrength", this->Strength.data());
+  program->SetUniformf("exposure", this->Exposure);
   if (!this->Last.Cells.Surfaces.empty())
   {
     this->SetSurfaces(program, uniforms);

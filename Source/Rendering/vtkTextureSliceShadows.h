@@ -19,7 +19,7 @@ struct vtkTextureSliceParts;
 /**
  * Keeps a vtkTextureSliceLightVolume up to date with scalars, transfer functions, mask, cuts and
  * directions of light, and in texture memory. A change of the camera or of a strength above 0
- * leaves the volume as it is; without shading, that of a strength changes the texture.
+ * leaves the volume as it is.
  */
 class vtkTextureSliceShadows
 {
@@ -48,7 +48,6 @@ private:
 
   void SetSurfaces(vtkShaderProgram* program, const vtkTextureSliceParts& uniforms) const;
   void Upload(vtkOpenGLRenderWindow* window);
-  std::vector<float> Join() const;
   void MakeImage(vtkImageData* volume, bool cellData);
 
   bool Used = false;
@@ -56,9 +55,7 @@ private:
   Key Last;
   vtkTextureSliceLightVolume Volume;
   std::array<float, 2> Strength{};
-  /// The strengths and the exposure with which the texture has shadow and occlusion in one channel,
-  /// for colours without shading; (0, 0, 0): it has them in two, as they are.
-  std::array<float, 3> Joined{};
+  float Exposure = 1.0f;
   vtkNew<vtkTextureObject> Texture;
   vtkNew<vtkImageData> Image;
 };

@@ -8,7 +8,6 @@
 #include "vtkOpenGLState.h"
 #include "vtkPointData.h"
 #include "vtkShaderProgram.h"
-#include "vtkTextureObject.h"
 #include "vtkTextureSliceFrame.h"
 #include "vtkTextureSliceOpenGL.h"
 #include "vtkTextureSliceParts.h"
@@ -62,7 +61,6 @@ bool HasSize(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, int width
          texture->GetHeight() == static_cast<unsigned int>(height);
 }
 
-/// Makes a texture ready to be allocated anew.
 void Prepare(vtkTextureObject* texture, vtkOpenGLRenderWindow* window)
 {
   texture->SetContext(window);
@@ -132,7 +130,7 @@ std::array<int, 2> vtkTextureSliceTarget::GetSize(vtkOpenGLRenderWindow* window,
   return {count(viewport[2]), count(viewport[3])};
 }
 
-bool vtkTextureSliceTarget::CopyDepth(std::string& error)
+bool vtkTextureSliceTarget::CopyDepth()
 {
   const std::array<int, 3> format = QueryDepthFormat();
   const auto [bits, isFloat, hasStencil] = format;
@@ -151,7 +149,6 @@ bool vtkTextureSliceTarget::CopyDepth(std::string& error)
     if (!(hasStencil ? this->Depth->AllocateDepthStencil(columns, rows)
                      : this->Depth->AllocateDepth(columns, rows, ofVTK)))
     {
-      error = "OpenGL could not make a copy of the window's depth";
       return false;
     }
     this->DepthFormat = format;
@@ -176,8 +173,7 @@ bool vtkTextureSliceTarget::CopyDepth(std::string& error)
   return true;
 }
 
-bool vtkTextureSliceTarget::MakePicture(
-  int width, int height, bool fullPrecision, std::string& error)
+bool vtkTextureSliceTarget::MakePicture(int width, int height, bool fullPrecision)
 {
   if (HasSize(this->Color, this->Window, width, height) && this->FullPrecision == fullPrecision)
   {
@@ -187,32 +183,29 @@ bool vtkTextureSliceTarget::MakePicture(
   Prepare(this->Color, this->Window);
   this->Color->SetInternalFormat(fullPrecision ? GL_RGBA32F : GL_RGBA16);
   this->FullPrecision = fullPrecision;
-  if (!this->Color->Allocate2D(
-        static_cast<unsigned int>(width), static_cast<unsigned int>(height), 4, VTK_FLOAT))
-  {
-    error = "OpenGL could not make a floating-point picture of " + std::to_string(width) + " x " +
-            std::to_string(height) + " pixels";
-    return false;
-  }
-  return true;
+  return this->Color->Allocate2D(
+    static_cast<unsigned int>(width), static_cast<unsigned int>(height), 4, VTK_FLOAT);
 }
 
-bool vtkTextureSliceTarget::Begin(
-  const vtkTextureSliceParts& parts, bool fullPrecision, std::string& error)
+std::string vtkTextureSliceTarget::Begin(const vtkTextureSliceParts& parts)
 {
   this->Window = parts.Window;
   this->Viewport = GetViewport(this->Window);
   const auto [width, height] = GetSize(this->Window, parts.PixelSize);
-  if (!this->MakePicture(width, height, fullPrecision, error))
+  // Polygons round hundreds of samples, one after the other.
+  const bool fullPrecision =
+    parts.Features.Places || parts.Ways.GetDrawn() == vtkOpenGLTextureSliceVolumeMapper::POLYGONS;
+  if (!this->MakePicture(width, height, fullPrecision))
   {
-    return false;
+    return "OpenGL could not make a floating-point picture of " + std::to_string(width) + " x " +
+           std::to_string(height) + " pixels";
   }
   vtkOpenGLState* state = this->Window->GetState();
   state->PushFramebufferBindings();
-  if (parts.Features.NeedsDepth() && !this->CopyDepth(error))
+  if (parts.Features.NeedsDepth() && !this->CopyDepth())
   {
     state->PopFramebufferBindings();
-    return false;
+    return "OpenGL could not make a copy of the window's depth";
   }
   this->Framebuffer->SetContext(this->Window);
   this->Framebuffer->Bind();
@@ -222,16 +215,15 @@ bool vtkTextureSliceTarget::Begin(
   if (!vtkOpenGLFramebufferObject::GetFrameBufferStatus(
         vtkOpenGLFramebufferObject::GetDrawMode(), reason))
   {
-    error = std::string("OpenGL cannot draw into a floating-point picture: ") + reason;
     state->PopFramebufferBindings();
-    return false;
+    return std::string("OpenGL cannot draw into a floating-point picture: ") + reason;
   }
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglViewport(0, 0, width, height);
   state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglClear(GL_COLOR_BUFFER_BIT);
-  return true;
+  return "";
 }
 
 void vtkTextureSliceTarget::End()

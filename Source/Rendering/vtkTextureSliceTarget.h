@@ -28,10 +28,8 @@ public:
   /// Whether a frame that may take that long, seconds, is one of an interaction.
   static bool IsInteractive(double allowedTime);
 
-  /**
-   * The finest of the distances whose frame is expected to take no longer, clamped.
-   * @param allowedTime seconds.
-   */
+  /// The finest of the distances whose frame is expected to take no longer, clamped.
+  /// @param allowedTime seconds.
   double Choose(double allowedTime, double minimum, double maximum);
   /// Reports how many seconds the frame of the last choice took.
   void Report(double seconds);
@@ -51,13 +49,10 @@ public:
   /// Width and height of the picture for the viewport that OpenGL draws into now; see Begin.
   static std::array<int, 2> GetSize(vtkOpenGLRenderWindow* window, double pixelSize);
 
-  /**
-   * Copies the depth of the framebuffer that is bound, if the shader reads it, clears the picture
-   * and directs drawing here. End must follow.
-   * @param fullPrecision whether the picture has floats of 32 bits in place of 16.
-   * @return false, with one line in @a error, if it cannot be made; then End must not follow.
-   */
-  bool Begin(const vtkTextureSliceParts& parts, bool fullPrecision, std::string& error);
+  /// Copies the depth of the framebuffer that is bound, if the shader reads it, clears the picture
+  /// and directs drawing here. End must follow.
+  /// @return in one line why it cannot be made, and then End must not follow; or nothing
+  std::string Begin(const vtkTextureSliceParts& parts);
   /// The depth of what is drawn already, of the viewport's size.
   vtkTextureObject* GetGeometryDepth() { return this->Depth; }
   vtkTextureObject* GetPicture() { return this->Color; }
@@ -71,8 +66,8 @@ public:
   void ReleaseGraphicsResources(vtkOpenGLRenderWindow* window);
 
 private:
-  bool MakePicture(int width, int height, bool fullPrecision, std::string& error);
-  bool CopyDepth(std::string& error);
+  bool MakePicture(int width, int height, bool fullPrecision);
+  bool CopyDepth();
 
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   vtkNew<vtkOpenGLFramebufferObject> DepthFramebuffer;
@@ -97,12 +92,9 @@ struct vtkTextureSliceImages
   vtkNew<vtkImageData> Color;
   vtkNew<vtkImageData> Depth;
 
-  /// The pixels of a picture, four numbers each.
   static std::vector<float> Download(vtkTextureObject* picture);
-  /**
-   * @param colors pixels of the picture.
-   * @param places of the picture of places (vtkTextureSliceFeatures::Places).
-   */
+  /// @param colors pixels of the picture.
+  /// @param places of the picture of places (vtkTextureSliceFeatures::Places).
   void Fill(const vtkTextureSliceParts& parts, const std::vector<float>& colors,
     const std::vector<float>& places);
 };

@@ -25,7 +25,6 @@
 #include "TextureSliceSurfacesFS.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>

@@ -21,18 +21,14 @@ struct vtkTextureSliceParts;
 class vtkTextureSliceBox
 {
 public:
-  /**
-   * Makes a shader the current one.
-   * @param key what the shader depends on
-   * @param make makes it if it is not known yet
-   * @return nullptr if it does not compile: then it is not made again
-   */
+  /// Makes a shader the current one.
+  /// @param key what the shader depends on
+  /// @param make makes it if it is not known yet
+  /// @return nullptr if it does not compile: then it is not made again
   vtkShaderProgram* Ready(vtkOpenGLRenderWindow* window, const std::string& key,
     const std::function<vtkSmartPointer<vtkShaderProgram>()>& make);
-  /**
-   * Draws by a fragment shader of which TextureSliceBoxVS is the vertex shader, after Ready.
-   * @param times how often, one after the other: the shader gets the number as "slice".
-   */
+  /// Draws by a fragment shader of which TextureSliceBoxVS is the vertex shader, after Ready.
+  /// @param times how often, one after the other: the shader gets the number as "slice".
   void Draw(const vtkTextureSliceParts& parts, vtkShaderProgram* program, int times = 1);
   void ReleaseGraphicsResources(vtkOpenGLRenderWindow* window);
 
@@ -59,18 +55,13 @@ public:
   using Mapper = vtkOpenGLTextureSliceVolumeMapper;
   using Way = Mapper::Ways;
 
-  /**
-   * Chooses the way of the next picture and makes its shader ready.
-   * @return false if there is none whose shaders compile
-   */
+  /// Chooses the way of the next picture and makes its shader ready.
+  /// @return false if there is none whose shaders compile
   bool Choose(const vtkTextureSliceParts& parts);
   /// That of the last picture; AUTOMATIC: there was none.
   Way GetDrawn() const { return this->Drawn; }
   /// Why the last picture was not drawn as asked for, in one line; or an empty text.
   const std::string& GetFallback() const { return this->Fallback; }
-  /// Whether the picture must have 32-bit floats: polygons round hundreds of samples in it, one
-  /// after the other.
-  bool NeedsFullPrecision() const { return this->Drawn == Mapper::POLYGONS; }
   /// After Choose: draws the picture, which is bound.
   void Draw(vtkTextureSliceParts& parts);
 

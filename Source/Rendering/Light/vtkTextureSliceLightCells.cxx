@@ -3,7 +3,6 @@
 
 #include "vtkDataArray.h"
 #include "vtkSMPTools.h"
-#include "vtkTextureSliceScalars.h"
 
 #include <algorithm>
 #include <limits>
@@ -49,7 +48,6 @@ struct Lookup
   float Scale;
 };
 
-/// Makes the cells of some rows.
 template <typename Scalar>
 class RowsOfCells
 {
@@ -106,7 +104,6 @@ private:
     std::vector<float> Visible; ///< how many voxels
   };
 
-  /// A row of voxels.
   struct Voxels
   {
     std::vector<float> Scalars; ///< component by component
@@ -156,7 +153,7 @@ private:
         const Scalar scalar = scalars[i * components + component];
         *decoded++ = this->Input.Scalars.Codes
                        ? static_cast<float>(
-                           this->Input.Scalars.Codes->GetValue(static_cast<std::size_t>(scalar)))
+                           this->Input.Scalars.Codes->Values[static_cast<std::size_t>(scalar)])
                        : static_cast<float>(scalar);
       }
     }

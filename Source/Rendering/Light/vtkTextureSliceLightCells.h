@@ -31,7 +31,6 @@ struct VTKNEXRADRENDERING_EXPORT vtkTextureSliceLightGrid
     const std::array<double, 3>& voxelEdge, std::size_t mostCells);
 
   std::size_t CountCells() const;
-  /// Rows of voxels along an axis: [Begin, End).
   struct Rows
   {
     int Begin;

@@ -3,11 +3,9 @@
 
 #include "vtkMath.h"
 #include "vtkSMPTools.h"
-#include "vtkTextureSliceLightCells.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <limits>

@@ -22,16 +22,11 @@ vec4 LookUp(float scalar, int row)
   return LookUpRow(transferTable, scalar * tableScale + tableBias, row, TEXTURE_SLICE_ROWS);
 }
 
-// What a sample adds to the picture.
-
 uniform float componentWeight[TEXTURE_SLICE_COMPONENTS];
 
-#if TEXTURE_SLICE_FUNCTIONS > 1
 // The unit distance of the first component over those of all.
 uniform float unitDistanceRatio[TEXTURE_SLICE_COMPONENTS];
-#endif
 
-#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_COMPOSITE || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ADDITIVE
 // Unit distances of a component that the sample stands for.
 float CountUnits(int component)
 {
@@ -41,7 +36,6 @@ float CountUnits(int component)
   return sampleUnits;
 #endif
 }
-#endif
 
 // The row of a component's functions, or of a label's above 0.
 int FindRow(int component, int label)
@@ -58,10 +52,10 @@ uniform float labelWeight;
 // Colour and opacity over scalar (to the right) and gradient magnitude or second array (up), all sets of
 // functions one above the other.
 uniform sampler2D transferTable2D;
-// Rows of one set.
 uniform float table2DRows;
 
-vec4 LookUp2D(vec4 scalars, float scalar, int functions)
+// What a set of functions makes of a scalar.
+vec4 Classify(vec4 scalars, float scalar, int functions)
 {
 #ifdef TEXTURE_SLICE_SECOND_ARRAY
   float up = FetchSecond(textureCoordinate, functions);
@@ -71,6 +65,11 @@ vec4 LookUp2D(vec4 scalars, float scalar, int functions)
   float row = clamp(up * table2DRows, 0.5, table2DRows - 0.5);
   return textureLod(transferTable2D,
     vec2(scalar, row / table2DRows + float(functions)) / vec2(1.0, float(TEXTURE_SLICE_FUNCTIONS)), 0.0);
+}
+#else
+vec4 Classify(vec4 scalars, float scalar, int functions)
+{
+  return LookUp(scalar, functions);
 }
 #endif
 

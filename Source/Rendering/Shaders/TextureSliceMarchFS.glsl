@@ -166,7 +166,6 @@ const int samplesInTurn = 2;
 const int samplesInTurn = 4;
 #endif
 
-// Samples on the planes.
 vec4 March()
 {
   int i = int(ceil(raySpan.x));

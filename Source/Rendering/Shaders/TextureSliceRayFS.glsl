@@ -9,7 +9,6 @@ uniform vec3 textureScale;
 uniform vec3 textureBias;
 // From texture coordinates to data lengths along the axes, in the first component's unit distances.
 uniform vec3 stepToUnits;
-// The part of the box that is drawn.
 uniform vec3 partLow;
 uniform vec3 partHigh;
 #if TEXTURE_SLICE_CLIPPING_PLANES > 0
@@ -31,7 +30,6 @@ vec3 rayStep = vec3(0.0);
 vec3 sampleStep = vec3(0.0);
 // Where the ray enters and leaves what is drawn.
 vec2 raySpan = vec2(0.0);
-// The pixel of the window.
 ivec2 windowPixel = ivec2(0);
 
 // Where the volume is sampled, on the ray and as texture coordinates, and how many unit distances the sample

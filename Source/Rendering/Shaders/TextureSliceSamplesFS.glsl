@@ -3,16 +3,6 @@
 // What was gathered so far, in the terms of the blend mode.
 vec4 picture = vec4(0.0);
 
-// What a set of functions makes of a scalar.
-vec4 Classify(vec4 scalars, float scalar, int functions)
-{
-#ifdef TEXTURE_SLICE_TABLE_2D
-  return LookUp2D(scalars, scalar, functions);
-#else
-  return LookUp(scalar, functions);
-#endif
-}
-
 #if TEXTURE_SLICE_FUNCTIONS == 1
 // Of dependent components the last one gives the opacity.
 vec4 ClassifyDependent(vec4 scalars)

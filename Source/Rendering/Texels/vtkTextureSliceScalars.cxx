@@ -2,16 +2,11 @@
 #include "vtkTextureSliceScalars.h"
 
 #include "vtkCellData.h"
-#include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
-#include "vtkUnsignedCharArray.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <string>
 
 namespace
@@ -103,8 +98,9 @@ void vtkTextureSliceCodes::FindBytes(const std::vector<double>& seen)
   this->Base = seen.front();
   for (std::size_t code = 0; code < Count; ++code)
   {
-    this->Bytes[code] =
-      this->IsHidden(code) ? 0 : static_cast<unsigned char>(std::lround(place(this->Values[code])));
+    this->Bytes[code] = this->Visible[code] == 0
+                          ? 0
+                          : static_cast<unsigned char>(std::lround(place(this->Values[code])));
   }
 }
 

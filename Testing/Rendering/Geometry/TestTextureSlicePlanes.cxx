@@ -85,7 +85,7 @@ Vector Unproject(const vtkTextureSliceView& view, double x, double y, double dep
 
 double At(const vtkTextureSlicePixelMap& map, double x, double y, std::size_t axis)
 {
-  return map.Right[axis] * x + map.Up[axis] * y + map.Origin[axis];
+  return map[0][axis] * x + map[1][axis] * y + map[2][axis];
 }
 
 vtkTextureSlicePlanes Place(const vtkTextureSliceView& view)
