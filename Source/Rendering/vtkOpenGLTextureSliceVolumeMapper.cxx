@@ -12,7 +12,6 @@
 #include "vtkPointData.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkRenderer.h"
-#include "vtkShaderProgram.h"
 #include "vtkShaderProperty.h"
 #include "vtkTextureSliceOpenGL.h"
 #include "vtkTextureSliceParts.h"
@@ -21,7 +20,6 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 vtkStandardNewMacro(vtkOpenGLTextureSliceVolumeMapper);
@@ -340,7 +338,7 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawSlices(vtkRenderer* renderer)
   }
   parts.Lights.Update(renderer);
   this->UpdateShadows();
-  this->SetUniforms(renderer);
+  this->SetFeatures(renderer);
   std::string error;
   parts.Window->GetState()->Push();
   for (int picture = 0; picture < parts.Peeling.CountPictures() && error.empty(); ++picture)
@@ -353,8 +351,7 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawSlices(vtkRenderer* renderer)
     }
     else if (error.empty())
     {
-      parts.Target.Composite(parts, 1.0f / this->FinalColorWindow,
-        0.5f - this->FinalColorLevel / this->FinalColorWindow);
+      parts.Target.Composite(parts);
     }
   }
   parts.Window->GetState()->Pop();
@@ -464,20 +461,7 @@ std::string vtkOpenGLTextureSliceVolumeMapper::UpdateMask()
     parts.Window, vtkTextureSliceScalars::Find(this->MaskInput, values, cellData), true);
 }
 
-std::array<double, 6> vtkOpenGLTextureSliceVolumeMapper::FindSeen() const
-{
-  std::array<double, 6> seen = this->Parts->Frame.Cut.Part;
-  // A sum is black wherever there are samples.
-  for (std::size_t axis = 0; axis < 3 && this->BlendMode != ADDITIVE_BLEND; ++axis)
-  {
-    const std::array<double, 6>& visible = this->Parts->EmptySpace.Seen;
-    seen[2 * axis] = std::max(seen[2 * axis], visible[2 * axis]);
-    seen[2 * axis + 1] = std::min(seen[2 * axis + 1], visible[2 * axis + 1]);
-  }
-  return seen;
-}
-
-void vtkOpenGLTextureSliceVolumeMapper::SetUniforms(vtkRenderer* renderer)
+void vtkOpenGLTextureSliceVolumeMapper::SetFeatures(vtkRenderer* renderer)
 {
   vtkTextureSliceParts& parts = *this->Parts;
   vtkTextureSliceFeatures& features = parts.Features;
@@ -499,7 +483,14 @@ void vtkOpenGLTextureSliceVolumeMapper::SetUniforms(vtkRenderer* renderer)
   {
     selector->GetPropColorValue(parts.SelectionColor.data());
   }
-  parts.Seen = this->FindSeen();
+  parts.Seen = parts.Frame.Cut.Part;
+  // A sum is black wherever there are samples.
+  for (std::size_t axis = 0; axis < 3 && this->BlendMode != ADDITIVE_BLEND; ++axis)
+  {
+    const std::array<double, 6>& visible = parts.EmptySpace.Distances.Seen;
+    parts.Seen[2 * axis] = std::max(parts.Seen[2 * axis], visible[2 * axis]);
+    parts.Seen[2 * axis + 1] = std::min(parts.Seen[2 * axis + 1], visible[2 * axis + 1]);
+  }
 }
 
 void vtkOpenGLTextureSliceVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)

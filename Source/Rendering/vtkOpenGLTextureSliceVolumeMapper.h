@@ -50,7 +50,6 @@
 #include "vtkNexradRenderingModule.h" // for the export macro
 #include "vtkSmartPointer.h"          // for what is prepared
 
-#include <array>  // for parts of the box
 #include <memory> // for std::unique_ptr
 #include <string> // for errors
 
@@ -308,9 +307,7 @@ private:
   void UpdateShadows();
   /// @return false where nothing is to be seen
   bool PlaceSlices();
-  /// The part of the box whose pixels are drawn.
-  std::array<double, 6> FindSeen() const;
-  void SetUniforms(vtkRenderer* renderer);
+  void SetFeatures(vtkRenderer* renderer);
 };
 
 #endif

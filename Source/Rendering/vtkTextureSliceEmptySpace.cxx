@@ -131,6 +131,7 @@ void vtkTextureSliceDistanceMap::Build(const std::array<int, 3>& count,
         this->Fill(static_cast<unsigned int>(octant), visible);
       }
     });
+  this->FindSeen(visible);
   const auto seen =
     visible.size() - static_cast<std::size_t>(std::count(visible.begin(), visible.end(), 0));
   this->VisibleShare =
@@ -177,32 +178,24 @@ void vtkTextureSliceDistanceMap::Fill(
   }
 }
 
-std::array<double, 6> vtkTextureSliceDistanceMap::FindSeen() const
+void vtkTextureSliceDistanceMap::FindSeen(const std::vector<unsigned char>& visible)
 {
   std::array<int, 6> bricks{this->Count[0], -1, this->Count[1], -1, this->Count[2], -1};
-  const unsigned char* distance = this->Distances.data();
-  for (int z = 0; z < this->Count[2]; ++z)
+  for (int id = 0; id < static_cast<int>(visible.size()); ++id)
   {
-    for (int y = 0; y < this->Count[1]; ++y)
+    const std::array<int, 3> brick{id % this->Count[0], id / this->Count[0] % this->Count[1],
+      id / (this->Count[0] * this->Count[1])};
+    for (std::size_t axis = 0; axis < 3 && visible[static_cast<std::size_t>(id)] != 0; ++axis)
     {
-      for (int x = 0; x < this->Count[0]; ++x, ++distance)
-      {
-        const std::array<int, 3> brick{x, y, z};
-        for (std::size_t axis = 0; axis < 3 && *distance == 0; ++axis)
-        {
-          bricks[2 * axis] = std::min(bricks[2 * axis], brick[axis]);
-          bricks[2 * axis + 1] = std::max(bricks[2 * axis + 1], brick[axis]);
-        }
-      }
+      bricks[2 * axis] = std::min(bricks[2 * axis], brick[axis]);
+      bricks[2 * axis + 1] = std::max(bricks[2 * axis + 1], brick[axis]);
     }
   }
-  std::array<double, 6> seen{};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    seen[2 * axis] = bricks[2 * axis] * this->Edge[axis];
-    seen[2 * axis + 1] = std::min(1.0, (bricks[2 * axis + 1] + 1) * this->Edge[axis]);
+    this->Seen[2 * axis] = bricks[2 * axis] * this->Edge[axis];
+    this->Seen[2 * axis + 1] = std::min(1.0, (bricks[2 * axis + 1] + 1) * this->Edge[axis]);
   }
-  return seen;
 }
 
 void vtkTextureSliceDistanceMap::Upload(vtkOpenGLRenderWindow* window)
@@ -255,7 +248,6 @@ void vtkTextureSliceEmptySpace::Update(const Source& source)
     return; // another colour, or another opacity of what is visible
   }
   this->Distances.Build(bricks.Count, bricks.Edge, this->Visible);
-  this->Seen = this->Distances.FindSeen();
 }
 
 void vtkTextureSliceEmptySpace::FindVisible(const Source& source)

@@ -40,9 +40,6 @@ public:
   void Build(const std::array<int, 3>& count, const std::array<double, 3>& edge,
     const std::vector<unsigned char>& visible);
 
-  /// The part of the box about all visible bricks: lower x, upper x, lower y and so on.
-  std::array<double, 6> FindSeen() const;
-
   void Upload(vtkOpenGLRenderWindow* window);
   void SetUniforms(vtkShaderProgram* program, const vtkTextureSliceFrame& frame) const;
 
@@ -51,10 +48,13 @@ public:
   /// One octant after the other, each with one distance for each brick, x fastest.
   std::vector<unsigned char> Distances;
   double VisibleShare = 1.0; ///< part of the bricks, 0 to 1
+  /// The part of the box about all visible bricks: lower x, upper x, lower y and so on.
+  std::array<double, 6> Seen{0, 1, 0, 1, 0, 1};
   vtkNew<vtkTextureObject> Texture;
 
 private:
   void Fill(unsigned int octant, const std::vector<unsigned char>& visible);
+  void FindSeen(const std::vector<unsigned char>& visible);
 
   bool Uploaded = false;
 };
@@ -86,8 +86,6 @@ public:
 
   /// How far it is to the next visible brick.
   vtkTextureSliceDistanceMap Distances;
-  /// Where all that can be seen lies: lower x, upper x, lower y and so on, in box coordinates.
-  std::array<double, 6> Seen{0, 1, 0, 1, 0, 1};
 
 private:
   /// All that the answers depend on.

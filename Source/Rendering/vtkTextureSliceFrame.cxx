@@ -153,6 +153,22 @@ std::array<float, 4> MapDepths(
     static_cast<float>(wStep)};
 }
 
+/// The first and the last of the three parts of an axis of which some region is drawn.
+std::array<std::size_t, 2> FindKeptParts(int regionFlags, std::size_t axis)
+{
+  constexpr std::array<unsigned int, 3> weights{1, 3, 9};
+  std::array<std::size_t, 2> kept{2, 0};
+  for (unsigned int region = 0; region < 27; ++region)
+  {
+    if ((static_cast<unsigned int>(regionFlags) >> region & 1U) != 0)
+    {
+      const std::size_t part = region / weights[axis] % 3;
+      kept = {std::min(kept[0], part), std::max(kept[1], part)};
+    }
+  }
+  return kept;
+}
+
 } // namespace
 
 void vtkTextureSlicePlanes::Place(const vtkTextureSliceView& view)
@@ -274,12 +290,13 @@ void vtkTextureSliceFrame::SetCuts(vtkVolumeMapper* mapper)
     const double low = (cropping[2 * axis] - this->Origin[axis]) / edge;
     const double high = (cropping[2 * axis + 1] - this->Origin[axis]) / edge;
     const auto [lower, upper] = std::minmax(low, high); // a negative spacing swaps them
-    if (regions == VTK_CROP_SUBVOLUME)
-    {
-      this->Cut.Part[2 * axis] = std::clamp(lower, 0.0, 1.0);
-      this->Cut.Part[2 * axis + 1] = std::clamp(upper, 0.0, 1.0);
-    }
-    else
+    const std::array<double, 4> borders{
+      0.0, std::clamp(lower, 0.0, 1.0), std::clamp(upper, 0.0, 1.0), 1.0};
+    const auto [first, last] = FindKeptParts(regions, axis);
+    this->Cut.Part[2 * axis] = borders[first];
+    this->Cut.Part[2 * axis + 1] = borders[last + 1];
+    // The part alone does not do it for other regions.
+    if (regions != VTK_CROP_SUBVOLUME)
     {
       this->Cut.CropFlags = regions;
       this->Cut.CropLow[axis] = low;

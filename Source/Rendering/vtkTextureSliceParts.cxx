@@ -13,15 +13,6 @@
 namespace
 {
 
-void SetFrame(vtkShaderProgram* program, const vtkTextureSliceFrame& frame)
-{
-  program->SetUniform3f("textureScale", frame.TextureScale.data());
-  program->SetUniform3f("textureBias", frame.TextureBias.data());
-  program->SetUniform3f("voxelStep", frame.VoxelStep.data());
-  program->SetUniform4f("stair", frame.GetStair().data());
-  program->SetUniform3f("inverseAspect", frame.InverseAspect.data());
-}
-
 /// Columns of a matrix that takes a pixel to a place, or with a bias of 0 a way, in the texture.
 std::array<float, 9> ToTexture(const vtkTextureSlicePixelMap& map,
   const std::array<float, 3>& scale, const std::array<float, 3>& bias)
@@ -101,7 +92,11 @@ std::vector<vtkTextureSliceParts::Sampler> vtkTextureSliceParts::FindSamplers()
 void vtkTextureSliceParts::SetUniforms(vtkShaderProgram* program)
 {
   SetRays(program, *this);
-  SetFrame(program, this->Frame);
+  program->SetUniform3f("textureScale", this->Frame.TextureScale.data());
+  program->SetUniform3f("textureBias", this->Frame.TextureBias.data());
+  program->SetUniform3f("voxelStep", this->Frame.VoxelStep.data());
+  program->SetUniform4f("stair", this->Frame.GetStair().data());
+  program->SetUniform3f("inverseAspect", this->Frame.InverseAspect.data());
   // What a shader does not have, VTK passes over.
   const vtkTextureSliceFeatures& features = this->Features;
   this->Request.SetUniforms(
@@ -109,7 +104,6 @@ void vtkTextureSliceParts::SetUniforms(vtkShaderProgram* program)
   this->Table.SetUniforms(program);
   this->EmptySpace.Distances.SetUniforms(program, this->Frame);
   program->SetUniformf("labelWeight", this->Request.Mapper->GetMaskBlendFactor());
-  program->SetUniformf("table2DRows", static_cast<float>(this->Table2D.GetNumberOfRows()));
   program->SetUniformi("slabsOfPiece", vtkTextureSliceFeatures::SlabsOfPiece);
   this->Integrals.SetUniforms(program);
   if (features.Lights >= 0)

@@ -8,7 +8,6 @@
 #include "vtkType.h"
 #include "vtkVolumeProperty.h"
 
-#include <array>
 #include <string>
 #include <vector>
 

@@ -9,7 +9,6 @@
 #include "vtkType.h"
 
 #include <array>
-#include <vector>
 
 class vtkImageData;
 class vtkOpenGLRenderWindow;

@@ -217,6 +217,7 @@ void vtkTextureSliceTable::Update(
     this->Texture->SetContext(window);
     this->Last = keys;
     this->Fill(rows, ChooseWidth(window, rows));
+    this->FillOpacities(window, rows);
     Upload(this->Texture, rows.size(), this->Entries);
   }
   vtkTextureSliceSetSampling(this->Texture, nearest);
@@ -236,9 +237,23 @@ void vtkTextureSliceTable::Fill(const std::vector<vtkTextureSliceRow>& rows, std
   this->FillTime.Modified();
 }
 
-std::vector<float> vtkTextureSliceTable::GetOpacities(std::size_t row) const
+void vtkTextureSliceTable::FillOpacities(
+  vtkOpenGLRenderWindow* window, std::vector<vtkTextureSliceRow> rows)
 {
-  return GetAlphas(this->GetEntries(row), this->GetWidth());
+  for (vtkTextureSliceRow& row : rows)
+  {
+    row.Color = nullptr;
+    row.Gray = nullptr;
+  }
+  const std::size_t width = ChooseWidth(window, rows);
+  std::vector<float> entries(4 * width);
+  this->Opacities.clear();
+  for (const vtkTextureSliceRow& row : rows)
+  {
+    FillRow(row, static_cast<int>(width), entries.data());
+    ToOpticalDepths(row, static_cast<int>(width), entries.data());
+    this->Opacities.push_back(GetAlphas(entries.data(), width));
+  }
 }
 
 void vtkTextureSliceTable::Upload(

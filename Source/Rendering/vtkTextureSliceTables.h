@@ -99,8 +99,8 @@ public:
     return this->Visibilities[row];
   }
   /// Opacities of a row over its domain, or optical depths of a unit distance for each factor of 2
-  /// that it weakens what is behind (Formulas R1).
-  std::vector<float> GetOpacities(std::size_t row) const;
+  /// that it weakens what is behind (Formulas R1). Their number does not depend on colours.
+  const std::vector<float>& GetOpacities(std::size_t row) const { return this->Opacities[row]; }
   vtkMTimeType GetFillTime() const { return this->FillTime.GetMTime(); }
   /// RGBA of the entries of a row as they are in the texture.
   const float* GetEntries(std::size_t row) const
@@ -117,9 +117,11 @@ private:
   using Key = std::tuple<const void*, const void*, const void*, vtkMTimeType, vtkMTimeType,
     vtkMTimeType, std::array<double, 2>, bool, std::array<double, 2>, bool, bool>;
   void Fill(const std::vector<vtkTextureSliceRow>& rows, std::size_t width);
+  void FillOpacities(vtkOpenGLRenderWindow* window, std::vector<vtkTextureSliceRow> rows);
 
   vtkNew<vtkTextureObject> Texture;
   std::vector<float> Entries;
+  std::vector<std::vector<float>> Opacities;           ///< one for each row
   std::vector<vtkTextureSliceVisibility> Visibilities; ///< one for each row
   vtkTimeStamp FillTime;
   std::vector<Key> Last; ///< one for each row that the texture was made from
@@ -138,8 +140,7 @@ public:
     vtkOpenGLRenderWindow* window, const std::vector<vtkImageData*>& images, bool nearest);
 
   vtkTextureObject* GetTexture() const { return this->Texture; }
-  /// Of one image.
-  int GetNumberOfRows() const { return this->Rows; }
+  /// Entries of a row.
   int GetWidth() const { return this->Width; }
   /// Where an image's opacity is above 0 at some gradient magnitude, over the scalars as 0 to 1.
   const vtkTextureSliceVisibility& GetVisibility(std::size_t image) const

@@ -233,7 +233,7 @@ void vtkTextureSliceTarget::End()
   state->vtkglViewport(this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3]);
 }
 
-void vtkTextureSliceTarget::Composite(vtkTextureSliceParts& parts, float scale, float bias)
+void vtkTextureSliceTarget::Composite(vtkTextureSliceParts& parts)
 {
   const vtkTextureSliceFeatures& features = parts.Features;
   vtkOpenGLState* state = this->Window->GetState();
@@ -267,8 +267,10 @@ void vtkTextureSliceTarget::Composite(vtkTextureSliceParts& parts, float scale, 
     -static_cast<float>(this->Viewport[0]) / static_cast<float>(this->Viewport[2]),
     -static_cast<float>(this->Viewport[1]) / static_cast<float>(this->Viewport[3])};
   program->SetUniform4f("toPicture", toPicture.data());
-  program->SetUniformf("colorScale", scale);
-  program->SetUniformf("colorBias", bias);
+  const float finalWindow = parts.Request.Mapper->GetFinalColorWindow();
+  program->SetUniformf("colorScale", 1.0f / finalWindow);
+  program->SetUniformf(
+    "colorBias", 0.5f - parts.Request.Mapper->GetFinalColorLevel() / finalWindow);
   program->SetUniform3f("selectionColor", parts.SelectionColor.data());
   this->Box.Draw(parts, program);
   this->Color->Deactivate();

@@ -15,7 +15,6 @@
 
 class vtkImageData;
 class vtkOpenGLRenderWindow;
-struct vtkTextureSliceFrame;
 struct vtkTextureSliceParts;
 
 /**
@@ -60,8 +59,7 @@ public:
   void End();
 
   /// Blends the picture over the viewport of the last Begin.
-  /// @param scale, bias the final window and level.
-  void Composite(vtkTextureSliceParts& parts, float scale, float bias);
+  void Composite(vtkTextureSliceParts& parts);
 
   void ReleaseGraphicsResources(vtkOpenGLRenderWindow* window);
 

@@ -186,11 +186,6 @@ vtkSmartPointer<vtkShaderProgram> MakeComputeProgram(const std::string& defines)
   return program;
 }
 
-bool CanBePolygons(const vtkTextureSliceFeatures& features)
-{
-  return features.BlendMode == vtkVolumeMapper::COMPOSITE_BLEND && !features.Slabs;
-}
-
 } // namespace
 
 vtkShaderProgram* vtkTextureSliceBox::Ready(vtkOpenGLRenderWindow* window, const std::string& key,
@@ -295,25 +290,23 @@ void vtkTextureSliceWays::RunTrial(vtkTextureSliceParts& parts, const vtkTexture
   vtkOpenGLState* state = parts.Window->GetState();
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(part[0], part[1], part[2] - part[0], part[3] - part[1]);
-  bool compiles = true;
-  for (int i = 0; i < 2 * RoundsOfTrial && compiles; ++i)
+  for (std::size_t i = 0; i < 2 * RoundsOfTrial; ++i)
   {
     const Way way = ways[i % 2];
-    compiles = this->Ready(way, parts, "fragments draw the volume");
-    if (compiles)
+    if (!this->Ready(way, parts, "fragments draw the volume"))
     {
-      glFinish();
-      const auto begin = std::chrono::steady_clock::now();
-      this->DrawPixels(way, parts, part);
-      glFinish();
-      const std::chrono::duration<double, std::milli> time =
-        std::chrono::steady_clock::now() - begin;
-      milliseconds[i % 2] = std::min(milliseconds[i % 2], time.count());
+      milliseconds[1] = 1e30;
+      break;
     }
+    glFinish();
+    const auto begin = std::chrono::steady_clock::now();
+    this->DrawPixels(way, parts, part);
+    glFinish();
+    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
+    milliseconds[i % 2] = std::min(milliseconds[i % 2], time.count());
   }
   state->vtkglDisable(GL_SCISSOR_TEST);
-  IsComputeFaster[GetRendererName()] =
-    compiles && milliseconds[1] < MostOfFragments * milliseconds[0];
+  IsComputeFaster[GetRendererName()] = milliseconds[1] < MostOfFragments * milliseconds[0];
   this->Ready(this->Drawn, parts, "");
 }
 
@@ -342,7 +335,8 @@ bool vtkTextureSliceWays::Choose(const vtkTextureSliceParts& parts)
 {
   this->Fallback.clear();
   this->IsTrialDue = false;
-  const bool canBePolygons = CanBePolygons(parts.Features);
+  const bool canBePolygons =
+    parts.Features.BlendMode == Mapper::COMPOSITE_BLEND && !parts.Features.Slabs;
   Way way = parts.Features.Places
               ? Mapper::FRAGMENTS
               : this->FindAsked(static_cast<Way>(parts.Request.Mapper->GetWay()));

@@ -367,5 +367,5 @@ TEST_F(Components, AverageOfPartOfTheRange)
       mapper->SetBlendModeToAverageIntensity();
       mapper->SetAverageIPScalarRange(10.0, 1000.0);
     });
-  this->ExpectSamePicture("components-average-range", 0.5, 5.0);
+  this->ExpectSamePicture("components-average-range", 0.1, 5.0);
 }

@@ -76,19 +76,19 @@ public:
     {
       const int cellY = row % this->Grid.Size[1];
       const int cellZ = row / this->Grid.Size[1];
-      const vtkTextureSliceLightGrid::Rows ys = this->Grid.GetRows(cellY, 1);
-      const vtkTextureSliceLightGrid::Rows zs = this->Grid.GetRows(cellZ, 2);
+      const auto [firstY, endY] = this->Grid.GetRows(cellY, 1);
+      const auto [firstZ, endZ] = this->Grid.GetRows(cellZ, 2);
       std::fill(sums.Values.begin(), sums.Values.end(), 0.0f);
       std::fill(sums.Visible.begin(), sums.Visible.end(), 0.0f);
-      for (int z = zs.Begin; z < zs.End; ++z)
+      for (int z = firstZ; z < endZ; ++z)
       {
-        for (int y = ys.Begin; y < ys.End; ++y)
+        for (int y = firstY; y < endY; ++y)
         {
           this->AddRow(y, z, voxels, sums);
         }
       }
       float* cells = this->Values.data() + std::ptrdiff_t{row} * this->Grid.Size[0];
-      this->Average(sums, (ys.End - ys.Begin) * (zs.End - zs.Begin), cells);
+      this->Average(sums, (endY - firstY) * (endZ - firstZ), cells);
       if (this->Input.Left)
       {
         this->Cut(this->Grid.GetPlace(cellY, 1), this->Grid.GetPlace(cellZ, 2), cells);
@@ -260,7 +260,7 @@ std::size_t vtkTextureSliceLightGrid::CountCells() const
          static_cast<std::size_t>(this->Size[2]);
 }
 
-vtkTextureSliceLightGrid::Rows vtkTextureSliceLightGrid::GetRows(int cell, std::size_t axis) const
+std::array<int, 2> vtkTextureSliceLightGrid::GetRows(int cell, std::size_t axis) const
 {
   constexpr int mostRows = 4;
   const int inset = std::max(0, (this->Factor[axis] - mostRows) / 2);

@@ -98,11 +98,6 @@ vec4 March()
 // What lies between two planes, or a plane and an end of the ray, is gathered together.
 const float piece = float(TEXTURE_SLICE_SLABS);
 
-float EndOfPiece(float at)
-{
-  return min((floor(at / piece) + 1.0) * piece, raySpan.y);
-}
-
 vec4 March()
 {
   float at = raySpan.x;
@@ -134,7 +129,7 @@ vec4 March()
       frontEnd = FetchEnd(PlaceAt(at));
     }
 #endif
-    float next = EndOfPiece(at);
+    float next = min((floor(at / piece) + 1.0) * piece, raySpan.y);
     GatherPiece(at, next, frontEnd);
     if (picture.a > opaque)
     {

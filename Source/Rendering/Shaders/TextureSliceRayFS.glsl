@@ -48,17 +48,12 @@ uniform int peelInFront;
 
 const vec2 nothing = vec2(3.0, -3.0);
 
-vec2 FetchPeel(sampler2D depths)
-{
-  return texelFetch(depths, windowPixel, 0).xy;
-}
-
 #if TEXTURE_SLICE_PEEL == TEXTURE_SLICE_PEEL_REST
 uniform sampler2D depthRangeTex;
 
 vec2 PeelRange()
 {
-  vec2 left = FetchPeel(depthRangeTex);
+  vec2 left = texelFetch(depthRangeTex, windowPixel, 0).xy;
   return left.x == -1.0 ? nothing : vec2(-left.x, left.y);
 }
 #else
@@ -69,8 +64,8 @@ uniform sampler2D innerDepthTex;
 
 vec2 PeelRange()
 {
-  vec2 outer = FetchPeel(outerDepthTex);
-  vec2 inner = FetchPeel(innerDepthTex);
+  vec2 outer = texelFetch(outerDepthTex, windowPixel, 0).xy;
+  vec2 inner = texelFetch(innerDepthTex, windowPixel, 0).xy;
 #if TEXTURE_SLICE_PEEL == TEXTURE_SLICE_PEEL_OUTSIDE
   outer = vec2(2.0, outer.y < 0.0 ? 2.0 : outer.y); // nothing was peeled: from the eye on
   bool wholeInFront = false;

@@ -202,20 +202,14 @@ vec4 Gradient(vec4 scalars, int component)
 uniform vec3 cropLow;
 uniform vec3 cropHigh;
 uniform int cropFlags;
-
-bool IsCropped(vec3 at)
-{
-  ivec3 region = ivec3(greaterThanEqual(at, cropLow)) +
-    ivec3(greaterThan(at, cropHigh));
-  return ((cropFlags >> (region.x + 3 * region.y + 9 * region.z)) & 1) == 0;
-}
 #endif
 
 // Whether cropping and mask leave what is there.
 bool IsLeft(vec3 at)
 {
 #ifdef TEXTURE_SLICE_CROPPED
-  if (IsCropped(at))
+  ivec3 region = ivec3(greaterThanEqual(at, cropLow)) + ivec3(greaterThan(at, cropHigh));
+  if (((cropFlags >> (region.x + 3 * region.y + 9 * region.z)) & 1) == 0)
   {
     return false;
   }

@@ -10,7 +10,6 @@
 #include "vtkTextureSliceOpenGL.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace
 {

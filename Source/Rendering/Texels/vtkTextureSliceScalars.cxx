@@ -64,12 +64,10 @@ vtkTextureSliceCodes::vtkTextureSliceCodes(
       seen.push_back(values[code]);
     }
   }
-  this->Ascending = std::is_sorted(seen.begin(), seen.end());
   std::sort(seen.begin(), seen.end());
   seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
   if (!seen.empty())
   {
-    this->WholeRange = {seen.front(), seen.back()};
     this->FindBytes(seen);
   }
 }
@@ -118,8 +116,16 @@ std::array<unsigned char, 2> vtkTextureSliceCodes::FindInterval() const
 
 std::array<double, 2> vtkTextureSliceCodes::GetRange(std::size_t low, std::size_t high) const
 {
-  return this->Ascending ? std::array<double, 2>{this->Values[low], this->Values[high]}
-                         : this->WholeRange;
+  std::array<double, 2> range{
+    std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (std::size_t code = low; code <= high; ++code)
+  {
+    if (this->Visible[code] != 0)
+    {
+      range = {std::min(range[0], this->Values[code]), std::max(range[1], this->Values[code])};
+    }
+  }
+  return range;
 }
 
 std::array<int, 3> vtkTextureSliceScalars::GetSize(vtkImageData* image, bool cellData)

@@ -43,8 +43,7 @@ struct VTKNEXRADRENDERING_EXPORT vtkTextureSliceCodes
 
   /// The first and the last code that is seen, where all between them are seen; else {255, 0}.
   std::array<unsigned char, 2> FindInterval() const;
-  /// Least and greatest value of the codes from `low` to `high` that are seen. Exact where the
-  /// values ascend with the codes; else those of all codes that are seen.
+  /// Least and greatest value of the codes from `low` to `high` that are seen.
   std::array<double, 2> GetRange(std::size_t low, std::size_t high) const;
 
   std::array<double, Count> Values;
@@ -57,9 +56,6 @@ struct VTKNEXRADRENDERING_EXPORT vtkTextureSliceCodes
 private:
   /// @param seen the values of codes that are not hidden, ascending.
   void FindBytes(const std::vector<double>& seen);
-
-  bool Ascending = true;
-  std::array<double, 2> WholeRange{}; ///< of the codes that are seen
 };
 
 /// One texel for each point, or each cell.

@@ -237,7 +237,7 @@ TEST(EmptySpace, TheSeenPartIsThatAboutAllVisibleBricks)
   const auto find = [&]
   {
     map.Build(Bricks, {1.0 / 19, 1.0 / 11, 1.0 / 69.5}, visible); // the last along z is cut
-    return map.FindSeen();
+    return map.Seen;
   };
   show(3, 10, 5);
   show(7, 2, 6);
