@@ -12,7 +12,6 @@
 #include "vtkPointData.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkRenderer.h"
-#include "vtkShaderProgram.h"
 #include "vtkShaderProperty.h"
 #include "vtkTextureSliceOpenGL.h"
 #include "vtkTextureSliceParts.h"
@@ -21,9 +20,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
+#include <utility>
 
 vtkStandardNewMacro(vtkOpenGLTextureSliceVolumeMapper);
 
@@ -70,18 +67,6 @@ std::string FindIgnored(vtkVolume* volume)
                  : "";
 }
 
-/// The ranges of the scalars alone, as far as a request needs to know them.
-std::vector<vtkTextureSliceComponent> FindRanges(vtkDataArray* scalars)
-{
-  std::vector<vtkTextureSliceComponent> components(
-    static_cast<std::size_t>(scalars->GetNumberOfComponents()));
-  for (std::size_t i = 0; i < components.size(); ++i)
-  {
-    scalars->GetFiniteRange(components[i].Range.data(), static_cast<int>(i));
-  }
-  return components;
-}
-
 } // namespace
 
 vtkOpenGLTextureSliceVolumeMapper::vtkOpenGLTextureSliceVolumeMapper()
@@ -96,7 +81,7 @@ vtkOpenGLTextureSliceVolumeMapper::~vtkOpenGLTextureSliceVolumeMapper()
 
 int vtkOpenGLTextureSliceVolumeMapper::GetNumberOfDrawnSlices() const
 {
-  return this->Parts->Planes.GetNumberOfSlices();
+  return this->Parts->Planes.NumberOfSlices;
 }
 
 int vtkOpenGLTextureSliceVolumeMapper::GetDrawnWay() const
@@ -118,26 +103,12 @@ vtkTextureSliceRequest vtkOpenGLTextureSliceVolumeMapper::MakeRequest(
   }
   if (this->Transfer2DYAxisArray != nullptr && input != nullptr)
   {
-    vtkDataArray* second = this->FindSecondArray(input, cellData);
-    request.SecondArray = second != nullptr ? second->GetNumberOfComponents() : -1;
+    request.NamesSecondArray = true;
+    request.SecondArray =
+      input->GetAttributes(cellData ? vtkDataObject::CELL : vtkDataObject::POINT)
+        ->GetArray(this->Transfer2DYAxisArray);
   }
   return request;
-}
-
-vtkDataArray* vtkOpenGLTextureSliceVolumeMapper::FindSecondArray(vtkDataSet* input, bool cellData)
-{
-  return input->GetAttributes(cellData ? vtkDataObject::CELL : vtkDataObject::POINT)
-    ->GetArray(this->Transfer2DYAxisArray);
-}
-
-const char* vtkOpenGLTextureSliceVolumeMapper::FindUnsupported(
-  const vtkTextureSliceRequest& request)
-{
-  if (this->GetInputCount() > 1)
-  {
-    return "several volumes in one mapper are not supported: give each a mapper of its own";
-  }
-  return request.FindUnsupported();
 }
 
 int vtkOpenGLTextureSliceVolumeMapper::IsRenderSupported(
@@ -149,15 +120,14 @@ int vtkOpenGLTextureSliceVolumeMapper::IsRenderSupported(
   {
     // Without an input there is nothing to say about it.
     return openGLWindow != nullptr &&
-           this->FindUnsupported(this->MakeRequest(property, nullptr, nullptr, false)) == nullptr;
+           this->MakeRequest(property, nullptr, nullptr, false).FindUnsupported() == nullptr;
   }
   int cellFlag = 0;
   vtkDataArray* scalars = this->GetScalars(
     input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
-  const vtkTextureSliceRequest request = this->MakeRequest(property, input, scalars, cellFlag == 1);
-  return CanHold(openGLWindow, input, cellFlag == 1) && this->FindUnsupported(request) == nullptr &&
-         (scalars == nullptr || property == nullptr ||
-           request.FindUnsupportedRange(FindRanges(scalars)) == nullptr);
+  const bool cellData = cellFlag == 1;
+  return CanHold(openGLWindow, input, cellData) &&
+         this->MakeRequest(property, input, scalars, cellData).FindUnsupported() == nullptr;
 }
 
 void vtkOpenGLTextureSliceVolumeMapper::GetReductionRatio(double ratio[3])
@@ -230,12 +200,10 @@ std::string vtkOpenGLTextureSliceVolumeMapper::UpdateVolume(
   }
   const bool cellData = this->CellFlag == 1;
   parts.Request = this->MakeRequest(volume->GetProperty(), parts.Image, parts.Scalars, cellData);
-  if (const char* unsupported = this->FindUnsupported(parts.Request))
+  if (const char* unsupported = parts.Request.FindUnsupported())
   {
     return unsupported;
   }
-  parts.LabelWeight = this->MaskBlendFactor;
-  parts.MaskValues = this->FindMaskValues();
   parts.Frame.SetVolume(parts.Image, cellData, volume);
   if (parts.Frame.IsFlat())
   {
@@ -243,14 +211,8 @@ std::string vtkOpenGLTextureSliceVolumeMapper::UpdateVolume(
            "matrix";
   }
   parts.Use(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
-  vtkDataArray* second =
-    parts.Request.ReadsSecondArray() ? this->FindSecondArray(parts.Image, cellData) : nullptr;
-  if (!this->UpdateMask(error) || !parts.UpdateVolume(cellData, second, error))
-  {
-    return error;
-  }
-  const char* unsupported = parts.Request.FindUnsupportedRange(parts.Texture.GetComponents());
-  return unsupported != nullptr ? unsupported : "";
+  error = this->UpdateMask();
+  return error.empty() ? parts.UpdateVolume() : error;
 }
 
 bool vtkOpenGLTextureSliceVolumeMapper::PreLoadData(vtkRenderer* renderer, vtkVolume* volume)
@@ -261,13 +223,12 @@ bool vtkOpenGLTextureSliceVolumeMapper::PreLoadData(vtkRenderer* renderer, vtkVo
     return false;
   }
   window->Initialize(); // it may not have been drawn yet
-  const std::string refused = this->UpdateVolume(renderer, volume);
-  return refused.empty() || this->Accept(refused);
+  return this->Accept(this->UpdateVolume(renderer, volume));
 }
 
 bool vtkOpenGLTextureSliceVolumeMapper::Accept(const std::string& refused)
 {
-  if (vtkTextureSliceParts::IsNews(this->Parts->Refused, refused))
+  if (std::exchange(this->Parts->Said[0], refused) != refused && !refused.empty())
   {
     vtkErrorMacro(<< refused);
   }
@@ -278,7 +239,8 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawVolume(vtkRenderer* renderer,
 {
   vtkTextureSliceParts& parts = *this->Parts;
   const std::string refused = this->UpdateVolume(renderer, volume);
-  if (!refused.empty() || parts.Request.IsEmpty())
+  if (!refused.empty() ||
+      (this->BlendMode == ISOSURFACE_BLEND && parts.Request.GetIsoValues().empty()))
   {
     return refused;
   }
@@ -307,15 +269,13 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawVolume(vtkRenderer* renderer,
 void vtkOpenGLTextureSliceVolumeMapper::RenderVolume(vtkRenderer* renderer, vtkVolume* volume)
 {
   this->Accept(this->DrawVolume(renderer, volume));
-  const std::string ignored = FindIgnored(volume);
-  if (vtkTextureSliceParts::IsNews(this->Parts->Ignored, ignored))
+  const std::array<std::string, 2> warnings{FindIgnored(volume), this->Parts->Ways.GetFallback()};
+  for (std::size_t i = 0; i < warnings.size(); ++i)
   {
-    vtkWarningMacro(<< ignored);
-  }
-  const std::string fallback = this->Parts->Ways.GetFallback();
-  if (vtkTextureSliceParts::IsNews(this->Parts->Fallback, fallback))
-  {
-    vtkWarningMacro(<< fallback);
+    if (std::exchange(this->Parts->Said[i + 1], warnings[i]) != warnings[i] && !warnings[i].empty())
+    {
+      vtkWarningMacro(<< warnings[i]);
+    }
   }
 }
 
@@ -351,20 +311,19 @@ bool vtkOpenGLTextureSliceVolumeMapper::PlaceSlices()
 {
   vtkTextureSliceParts& parts = *this->Parts;
   parts.EmptySpace.Update(parts);
-  parts.Frame.SetPlane(parts.Request.GetSlicePlane());
-  vtkTextureSliceView view = parts.Frame.View;
-  view.Part = parts.Frame.Cut.Part;
+  vtkTextureSliceView& view = parts.Frame.View;
+  vtkPlane* plane = parts.Request.GetSlicePlane();
+  view.Plane.reset();
+  if (plane != nullptr)
+  {
+    view.Plane = parts.Frame.ToBox(plane);
+  }
   view.NumberOfSlices = this->NumberOfSlices;
   view.SampleDistance = this->ChooseSampleDistance();
-  if (parts.Request.IsNearest())
-  {
-    view.Faces = parts.Frame.Intervals;
-    view.FirstFace = parts.Frame.GetFirstFace();
-  }
   view.Viewport = vtkTextureSliceTarget::GetSize(parts.Window, parts.PixelSize);
   parts.Planes.Place(view);
   // A sum is black where all that was sampled is clear.
-  return parts.Planes.GetNumberOfSlices() > 0 &&
+  return parts.Planes.NumberOfSlices > 0 &&
          (this->BlendMode == ADDITIVE_BLEND || !parts.EmptySpace.IsNothingVisible());
 }
 
@@ -379,20 +338,20 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawSlices(vtkRenderer* renderer)
   }
   parts.Lights.Update(renderer);
   this->UpdateShadows();
-  this->SetUniforms(renderer);
+  this->SetFeatures(renderer);
   std::string error;
   parts.Window->GetState()->Push();
   for (int picture = 0; picture < parts.Peeling.CountPictures() && error.empty(); ++picture)
   {
     parts.Peeling.SetPicture(picture);
-    if (parts.Draw(error) && this->RenderToImage)
+    error = parts.Draw();
+    if (error.empty() && this->RenderToImage)
     {
       error = this->TakeImages(true);
     }
     else if (error.empty())
     {
-      parts.Target.Composite(parts, 1.0f / this->FinalColorWindow,
-        0.5f - this->FinalColorLevel / this->FinalColorWindow);
+      parts.Target.Composite(parts);
     }
   }
   parts.Window->GetState()->Pop();
@@ -414,21 +373,14 @@ std::string vtkOpenGLTextureSliceVolumeMapper::TakeImages(bool isDrawn)
     parts.Features.BlendMode =
       parts.Request.ShowsPlaces() ? this->BlendMode : static_cast<int>(COMPOSITE_BLEND);
     parts.Seen = parts.Frame.Cut.Part;
-    std::string error;
-    if (!parts.Draw(error))
+    const std::string error = parts.Draw();
+    if (!error.empty())
     {
       return error;
     }
     places = vtkTextureSliceImages::Download(parts.Target.GetPicture());
   }
-  for (std::size_t i = 0; i < colors.size(); ++i)
-  {
-    const float level = 0.5f * this->FinalColorWindow - this->FinalColorLevel;
-    colors[i] =
-      i % 4 == 3 ? colors[i] : (colors[i] + level * colors[i | 3]) / this->FinalColorWindow;
-  }
-  parts.Images.Fill(
-    size, this->DepthImageScalarType, colors, places, parts.Frame, this->ClampDepthToBackface != 0);
+  parts.Images.Fill(parts, colors, places);
   return "";
 }
 
@@ -484,51 +436,32 @@ vtkSmartPointer<vtkObject> vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(
     vtkTextureSliceChecksums::SafeDownCast(before));
 }
 
-vtkDataArray* vtkOpenGLTextureSliceVolumeMapper::FindMaskValues()
+std::string vtkOpenGLTextureSliceVolumeMapper::UpdateMask()
 {
-  return this->MaskInput != nullptr
-           ? this->MaskInput
-               ->GetAttributes(this->CellFlag == 1 ? vtkDataObject::CELL : vtkDataObject::POINT)
-               ->GetScalars()
-           : nullptr;
-}
-
-bool vtkOpenGLTextureSliceVolumeMapper::UpdateMask(std::string& error)
-{
+  vtkTextureSliceParts& parts = *this->Parts;
+  parts.MaskValues = nullptr;
   if (this->MaskInput == nullptr)
   {
-    return true;
+    return "";
   }
-  vtkTextureSliceParts& parts = *this->Parts;
   const bool cellData = this->CellFlag == 1;
-  vtkDataArray* values = parts.MaskValues;
+  vtkDataArray* values =
+    this->MaskInput->GetAttributes(cellData ? vtkDataObject::CELL : vtkDataObject::POINT)
+      ->GetScalars();
+  parts.MaskValues = values;
   if (values == nullptr || values->GetDataType() != VTK_UNSIGNED_CHAR ||
       values->GetNumberOfComponents() != 1 ||
       vtkTextureSliceScalars::GetSize(this->MaskInput, cellData) !=
         vtkTextureSliceScalars::GetSize(parts.Image, cellData))
   {
-    error = std::string("the mask must have the dimensions of the volume and ") +
-            (cellData ? "cell" : "point") + " scalars of one unsigned char";
-    return false;
+    return std::string("the mask must have the dimensions of the volume and ") +
+           (cellData ? "cell" : "point") + " scalars of one unsigned char";
   }
   return parts.Mask.Update(
-    parts.Window, vtkTextureSliceScalars::Find(this->MaskInput, values, cellData), true, error);
+    parts.Window, vtkTextureSliceScalars::Find(this->MaskInput, values, cellData), true);
 }
 
-std::array<double, 6> vtkOpenGLTextureSliceVolumeMapper::FindSeen() const
-{
-  std::array<double, 6> seen = this->Parts->Frame.Cut.Part;
-  // A sum is black wherever there are samples.
-  for (std::size_t axis = 0; axis < 3 && this->BlendMode != ADDITIVE_BLEND; ++axis)
-  {
-    const std::array<double, 6>& visible = this->Parts->EmptySpace.GetSeen();
-    seen[2 * axis] = std::max(seen[2 * axis], visible[2 * axis]);
-    seen[2 * axis + 1] = std::min(seen[2 * axis + 1], visible[2 * axis + 1]);
-  }
-  return seen;
-}
-
-void vtkOpenGLTextureSliceVolumeMapper::SetUniforms(vtkRenderer* renderer)
+void vtkOpenGLTextureSliceVolumeMapper::SetFeatures(vtkRenderer* renderer)
 {
   vtkTextureSliceParts& parts = *this->Parts;
   vtkTextureSliceFeatures& features = parts.Features;
@@ -536,7 +469,7 @@ void vtkOpenGLTextureSliceVolumeMapper::SetUniforms(vtkRenderer* renderer)
   features.Masked = parts.Texture.IsMasked();
   features.SecondMasked = features.SecondArray > 0 && parts.SecondArray.IsMasked();
   features.Rectilinear = parts.Coordinates.IsUsed();
-  features.Blanked = parts.Blanks.IsUsed();
+  features.Blanked = parts.HasBlanks;
   features.Cropped = parts.Frame.Cut.CropFlags != -1;
   features.Parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
   features.Shadows = parts.Shadows.IsUsed();
@@ -550,7 +483,14 @@ void vtkOpenGLTextureSliceVolumeMapper::SetUniforms(vtkRenderer* renderer)
   {
     selector->GetPropColorValue(parts.SelectionColor.data());
   }
-  parts.Seen = this->FindSeen();
+  parts.Seen = parts.Frame.Cut.Part;
+  // A sum is black wherever there are samples.
+  for (std::size_t axis = 0; axis < 3 && this->BlendMode != ADDITIVE_BLEND; ++axis)
+  {
+    const std::array<double, 6>& visible = parts.EmptySpace.Distances.Seen;
+    parts.Seen[2 * axis] = std::max(parts.Seen[2 * axis], visible[2 * axis]);
+    parts.Seen[2 * axis + 1] = std::min(parts.Seen[2 * axis + 1], visible[2 * axis + 1]);
+  }
 }
 
 void vtkOpenGLTextureSliceVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)

@@ -5,11 +5,9 @@
  *
  * A drop-in for vtkOpenGLGPUVolumeRayCastMapper that gives the same picture: along the ray of each
  * pixel, from front to back, there is a sample on each slice, coloured by the property's transfer
- * functions. Its opacity is corrected for the distance between two samples along its own ray (which
- * grows away from the centre of a perspective view), and the first and the last sample reach to the
- * ends of the ray, so that the picture does not depend on the number of slices. Rays end exactly at
- * the faces of the volume, clipping planes, the near plane and opaque geometry; a short ray has two
- * samples at least. Bricks of voxels in which the functions show nothing are skipped.
+ * functions. The picture does not depend on the number of slices: opacity is corrected for the
+ * distance of two samples along the ray, whose ends are exact, and a short ray has two samples at
+ * least. Bricks of voxels in which the functions show nothing are skipped.
  *
  * Input: a vtkImageData, with any spacing and direction matrix, or a vtkRectilinearGrid, whose
  * coordinates ascend; one to four components of point or cell scalars of any number type, with any
@@ -22,35 +20,28 @@
  * opacity; 4: red, green, blue, opacity).
  *
  * Blend modes: composite, maximum, minimum, average, additive, isosurface, slice (the property's
- * SliceFunction, a vtkPlane in world coordinates). Isosurfaces lie where the scalar, interpolated
- * linearly, has the value, whatever the number of slices; of two dependent components the second
- * has the surfaces and gives their opacity, the first gives the colour. Light and gradient opacity
- * as in VTK's ray caster; they count where places are shown (composite, isosurface, slice), not in
- * projections. UseClippedVoxelIntensity gives what is clipped away a scalar of its own there.
- * Two-dimensional transfer functions (scalar and gradient magnitude, or scalar and the array that
+ * SliceFunction, a vtkPlane in world coordinates). Of two dependent components the second has the
+ * isosurfaces and gives their opacity, the first gives the colour. Light and gradient opacity count
+ * where places are shown (composite, isosurface, slice), not in projections.
+ * UseClippedVoxelIntensity gives what is clipped away a scalar of its own there. Two-dimensional
+ * transfer functions (scalar and gradient magnitude, or scalar and the array that
  * Transfer2DYAxisArray names) in the composite mode. A mask of the volume's dimensions, one
  * unsigned char each: binary, or labels with functions of their own. Cropping, clipping planes,
- * opaque geometry, a camera inside the volume, and final window and level work as in VTK's ray
- * caster. Translucent geometry is behind the volume, unless the renderer peels both by depth
- * (SetUseDepthPeelingForVolumes).
- *
- * ImageSampleDistance makes the picture coarser or finer than the window. With
- * AutoAdjustSampleDistances (on by default) it grows to 1, 2, 5 or 10, between
- * MinimumImageSampleDistance and MaximumImageSampleDistance, while the window's desired update rate
- * asks for more than one frame a second.
+ * opaque geometry, a camera inside the volume, final window and level, ImageSampleDistance and
+ * AutoAdjustSampleDistances work as in VTK's ray caster. Translucent geometry is behind the volume,
+ * unless the renderer peels both by depth (SetUseDepthPeelingForVolumes).
  *
  * vtkTextureSliceObjectFactory puts this class wherever VTK makes a vtkGPUVolumeRayCastMapper.
  *
  * Not supported, and refused by IsRenderSupported and with an error: slice blending without a
  * vtkPlane, grids whose coordinates do not ascend, several volumes in one mapper, a label map with
  * several components or two-dimensional functions, one or three dependent components, four that are
- * not unsigned char, isosurfaces of other components, averages of several components over part of
- * the range, volumes larger than the largest 3-D texture, and a 2-D image, which has no thickness.
- * Refused with an error when it is met: four components with hidden points, render passes that peel
- * volumes in a way that is not VTK's, and VTK's peeling in a window with multisamples, which draws
- * nothing translucent. What is refused or ignored is said once, not in each frame. Jittering and
- * VolumetricScatteringBlending are ignored; user shaders are ignored with a warning. A hardware
- * selection finds the volume, not its voxels.
+ * not unsigned char, isosurfaces of other components, volumes larger than the largest 3-D texture,
+ * and a 2-D image, which has no thickness. Refused with an error when it is met: four components
+ * with hidden points, render passes that peel volumes in a way that is not VTK's, and VTK's peeling
+ * in a window with multisamples, which draws nothing translucent. What is refused or ignored is
+ * said once, not in each frame. Jittering and VolumetricScatteringBlending are ignored; user
+ * shaders are ignored with a warning. A hardware selection finds the volume, not its voxels.
  */
 #ifndef vtkOpenGLTextureSliceVolumeMapper_h
 #define vtkOpenGLTextureSliceVolumeMapper_h
@@ -59,7 +50,6 @@
 #include "vtkNexradRenderingModule.h" // for the export macro
 #include "vtkSmartPointer.h"          // for what is prepared
 
-#include <array>  // for parts of the box
 #include <memory> // for std::unique_ptr
 #include <string> // for errors
 
@@ -93,9 +83,8 @@ public:
    * of a sample's diffuse and specular light, or without shading of its colour, is taken away where
    * the light of LightDirection does not arrive. Composite blending with one-dimensional functions
    * and isosurfaces have shadows and occlusion; in other modes they have no effect. They are made
-   * from the scalars' opacity alone, gradient opacity does not count. Light that crosses an
-   * isosurface loses the opacity of its value. Rectilinear grids have none. What is cropped or
-   * clipped away, hidden or masked out casts no shadow.
+   * from the scalars' opacity alone. Rectilinear grids have none. What is cropped or clipped away,
+   * hidden or masked out casts no shadow.
    */
   vtkSetClampMacro(ShadowStrength, double, 0.0, 1.0);
   vtkGetMacro(ShadowStrength, double);
@@ -114,9 +103,8 @@ public:
   ///@{
   /**
    * How dense the volume is for the light of shadows and occlusion, over what it is for the viewer:
-   * 0 to 1, 1 by default. A smaller one lets light come deeper, as in a cloud, whose droplets
-   * scatter most of it forwards: then what is dense has a bright side and a dark one, and is not
-   * dark all round.
+   * 0 to 1, 1 by default. With a smaller one light comes deeper, as in a cloud, whose droplets
+   * scatter most of it forwards.
    */
   vtkSetClampMacro(ShadowDensity, double, 0.0, 1.0);
   vtkGetMacro(ShadowDensity, double);
@@ -125,8 +113,7 @@ public:
   ///@{
   /**
    * What shadow and occlusion leave of a colour without shading is multiplied by this, up to the
-   * colour itself: above 1, the side towards the light, which sees but a part of the sky, keeps its
-   * colours. 1 to 4; 1 by default.
+   * colour itself. 1 to 4; 1 by default.
    */
   vtkSetClampMacro(Exposure, double, 1.0, 4.0);
   vtkGetMacro(Exposure, double);
@@ -162,22 +149,18 @@ public:
    * coordinates of the input, of at most 1,048,576 points (half of the resolution of 256 x 256 x
    * 128), an eighth of these during an interaction. First component: the transmittance to the light
    * (0 to 1: all of it arrives); second: its mean over the sky. A component whose strength is 0 is
-   * 1. nullptr where both are off. It is made anew when the volume, its opacities, its cuts or a
-   * direction change; never when the camera moves or colours change.
+   * 1. nullptr where both are off. It does not depend on the camera.
    */
   vtkImageData* GetLightVolume();
 
   ///@{
   /**
    * Pre-integrated classification (Engel, Kraus and Ertl 2001): a ray consists of slabs between two
-   * slices, along which the scalar is taken as linear, and the transfer functions are integrated
-   * from the scalar at the front of a slab to that at its back, in place of the look-up of one
-   * sample. What the functions show between two samples (an iso-value, a narrow colour step) is
-   * then found: steep functions leave no rings, and fewer slices are enough. It holds in the
-   * composite blend mode with linear interpolation and one-dimensional functions, with all that
-   * goes with them; other blend modes, nearest interpolation and two-dimensional functions ignore
-   * it. Of two or four dependent components the opacity is integrated, and the colour is that of
-   * the middle of the slab. Default: off, the picture of VTK's ray caster.
+   * slices, over which the transfer functions are integrated. Steep functions then leave no rings,
+   * and fewer slices are enough. Other blend modes than composite, nearest interpolation and
+   * two-dimensional functions ignore it. Of two or four dependent components the opacity is
+   * integrated, and the colour is that of the middle of the slab. Default: off, the picture of
+   * VTK's ray caster.
    */
   vtkSetMacro(PreIntegration, bool);
   vtkGetMacro(PreIntegration, bool);
@@ -186,14 +169,13 @@ public:
 
   ///@{
   /**
-   * What draws the volume. All ways draw the same picture up to rounding, away from the faces of
-   * the box. Fragments: one fragment a pixel goes along the pixel's ray (OpenGL 3.2). Compute: a
-   * compute shader does the same (OpenGL 4.3, or 4.2 with ARB_compute_shader). Polygons: one
-   * for each slice, the outline of the volume, blended, which is slow and shows how slices work;
-   * composite blending without PreIntegration alone, else as AUTOMATIC. AUTOMATIC (the default)
-   * draws by fragments; with the second frame it times both once for each card, and then goes on by
-   * compute shaders where these are twice as fast; polygons where no other shader
-   * compiles. A way that the context does not have is replaced with a warning. The environment
+   * What draws the volume; all ways draw the same picture up to rounding, away from the faces of
+   * the box. FRAGMENTS: one fragment a pixel goes along the pixel's ray (OpenGL 3.2). COMPUTE: a
+   * compute shader does the same (OpenGL 4.3). POLYGONS: one for each slice, the outline of the
+   * volume, blended, which is slow and shows how slices work; composite blending without
+   * PreIntegration alone, else as AUTOMATIC. AUTOMATIC (the default) draws by fragments, times both
+   * shaders with the second frame, once for each card, and goes on by compute where that is twice
+   * as fast. A way that the context does not have is replaced with a warning. The environment
    * variable VTK_TEXTURE_SLICE_WAY (automatic, fragments, compute, polygons) takes precedence.
    */
   enum Ways
@@ -237,13 +219,11 @@ public:
   int IsRenderSupported(vtkRenderWindow* window, vtkVolumeProperty* property) override;
 
   /**
-   * Does beforehand what takes longest when scalars are drawn for the first time: finds their
-   * ranges and checksums, and given what this function returned for the volume that is drawn
-   * before them, also encodes the texels that change. All this stays with the array (in its
-   * information) until it is drawn or changes. It needs no OpenGL, and touches no other image: a
-   * program that plays a series may do it on the thread that reads the next volume, before it
-   * hands the image on. Takes the active scalars of the points, or of the cells; nullptr where
-   * there are none.
+   * Does beforehand, on any thread and without OpenGL, what takes longest when scalars are drawn
+   * for the first time: finds their ranges and checksums, and given what this function returned for
+   * the volume that is drawn before them, also encodes the texels that change. All this stays with
+   * the array (in its information) until it is drawn or changes. Takes the active scalars of the
+   * points, or of the cells; nullptr where there are none.
    */
   static vtkSmartPointer<vtkObject> PrepareScalars(
     vtkImageData* image, vtkObject* before = nullptr);
@@ -321,19 +301,13 @@ private:
   void RenderVolume(vtkRenderer* renderer, vtkVolume* volume);
   vtkTextureSliceRequest MakeRequest(
     vtkVolumeProperty* property, vtkDataSet* input, vtkDataArray* scalars, bool cellData);
-  const char* FindUnsupported(const vtkTextureSliceRequest& request);
-  /// The array that Transfer2DYAxisArray names, of the points or of the cells; nullptr: none.
-  vtkDataArray* FindSecondArray(vtkDataSet* input, bool cellData);
-  vtkDataArray* FindMaskValues();
-  bool UpdateMask(std::string& error);
+  std::string UpdateMask();
   double ChooseImageSampleDistance(double allowedTime);
   double ChooseSampleDistance();
   void UpdateShadows();
   /// @return false where nothing is to be seen
   bool PlaceSlices();
-  /// The part of the box whose pixels are drawn.
-  std::array<double, 6> FindSeen() const;
-  void SetUniforms(vtkRenderer* renderer);
+  void SetFeatures(vtkRenderer* renderer);
 };
 
 #endif

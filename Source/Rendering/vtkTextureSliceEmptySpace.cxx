@@ -11,50 +11,11 @@
 #include "vtkVolumeMapper.h"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <limits>
 
 namespace
 {
-
-constexpr unsigned char Most = vtkTextureSliceDistanceMap::MostDistance;
-
-/// One row of bricks.
-struct Row
-{
-  const unsigned char* Visible;
-  unsigned char* Distances;
-  int Length;
-  int ToNext; ///< 1 or -1: where rays go
-};
-
-/// Distances of a row, from its far end back: one more than the least of the seven bricks ahead.
-/// @param beside distances of the three rows ahead.
-/// @param nearest, limits room for Length + 2 and for Length numbers.
-void FillRow(const Row& row, const std::array<const unsigned char*, 3>& beside,
-  unsigned char* nearest, unsigned char* limits)
-{
-  const auto [besideY, besideZ, besideBoth] = beside;
-  nearest[0] = nearest[row.Length + 1] = Most;
-  for (int x = 0; x < row.Length; ++x)
-  {
-    nearest[x + 1] = std::min(std::min(besideY[x], besideZ[x]), besideBoth[x]);
-  }
-  for (int x = 0; x < row.Length; ++x)
-  {
-    const unsigned char clear = std::min(nearest[x + 1], nearest[x + 1 + row.ToNext]);
-    const auto further = static_cast<unsigned char>(clear + (clear < Most ? 1 : 0));
-    limits[x] = row.Visible[x] != 0 ? static_cast<unsigned char>(0) : further;
-  }
-  int distance = Most;
-  int x = row.ToNext > 0 ? row.Length - 1 : 0;
-  for (int i = 0; i < row.Length; ++i, x -= row.ToNext)
-  {
-    distance = std::min(distance + 1, static_cast<int>(limits[x]));
-    row.Distances[x] = static_cast<unsigned char>(distance);
-  }
-}
 
 using Range = vtkTextureSliceBricks::Range;
 using Source = vtkTextureSliceParts;
@@ -82,7 +43,6 @@ double FindMargin(const Source& source, const vtkTextureSliceFeatures& features)
   return features.Slabs ? 1.0 / static_cast<double>(width - 1) : 0.0;
 }
 
-/// The opacities of one component of a brick are above 0 somewhere.
 Test MakeOpacityTest(const Source& source, const vtkTextureSliceFeatures& features, std::size_t row)
 {
   const auto& components = source.Texture.GetComponents();
@@ -113,18 +73,18 @@ Test MakeOpacityTest(const Source& source, const vtkTextureSliceFeatures& featur
   };
 }
 
-/// The brick has samples that an average counts.
-Test MakeAverageTest(const Source& source, const vtkTextureSliceFeatures& features)
+/// The brick has samples that an average counts, of a component with functions of its own.
+Test MakeAverageTest(const Source& source, std::size_t component)
 {
-  // Of several components with functions of their own, an average counts all samples.
-  const double error =
-    features.Functions > 1 ? Unbounded : FindScalarError(source.Texture.GetComponents().front());
+  const double error = FindScalarError(source.Texture.GetComponents()[component]);
   const double* range = source.Request.Mapper->GetAverageIPScalarRange();
-  return [least = range[0] - error, most = range[1] + error](const Range* ranges)
-  { return ranges->Low <= ranges->High && ranges->High >= least && ranges->Low <= most; };
+  return [component, least = range[0] - error, most = range[1] + error](const Range* ranges)
+  {
+    const Range& range = ranges[component];
+    return range.Low <= range.High && range.High >= least && range.Low <= most;
+  };
 }
 
-/// A surface passes through the brick.
 Test MakeSurfaceTest(const Source& source)
 {
   const std::size_t component = source.Texture.GetComponents().size() - 1;
@@ -141,10 +101,6 @@ Test MakeSurfaceTest(const Source& source)
 std::vector<Test> MakeTests(const Source& source)
 {
   const vtkTextureSliceFeatures features = source.Request.GetFeatures();
-  if (features.BlendMode == vtkVolumeMapper::AVERAGE_INTENSITY_BLEND)
-  {
-    return {MakeAverageTest(source, features)};
-  }
   if (features.BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND)
   {
     return {MakeSurfaceTest(source)};
@@ -152,7 +108,9 @@ std::vector<Test> MakeTests(const Source& source)
   std::vector<Test> tests;
   for (std::size_t row = 0; row < static_cast<std::size_t>(features.Functions); ++row)
   {
-    tests.push_back(MakeOpacityTest(source, features, row));
+    tests.push_back(features.BlendMode == vtkVolumeMapper::AVERAGE_INTENSITY_BLEND
+                      ? MakeAverageTest(source, row)
+                      : MakeOpacityTest(source, features, row));
   }
   return tests;
 }
@@ -173,6 +131,7 @@ void vtkTextureSliceDistanceMap::Build(const std::array<int, 3>& count,
         this->Fill(static_cast<unsigned int>(octant), visible);
       }
     });
+  this->FindSeen(visible);
   const auto seen =
     visible.size() - static_cast<std::size_t>(std::count(visible.begin(), visible.end(), 0));
   this->VisibleShare =
@@ -183,58 +142,60 @@ void vtkTextureSliceDistanceMap::Build(const std::array<int, 3>& count,
 void vtkTextureSliceDistanceMap::Fill(
   unsigned int octant, const std::vector<unsigned char>& visible)
 {
-  const auto [length, height, layers] = this->Count;
-  unsigned char* const map = this->Distances.data() + octant * visible.size();
-  const auto along = [octant](unsigned int axis) { return (octant >> axis & 1) != 0 ? -1 : 1; };
-  const auto begin = [this](int y, int z)
-  { return static_cast<std::size_t>(z * this->Count[1] + y) * this->Count[0]; };
-  const std::vector<unsigned char> outside(static_cast<std::size_t>(length), Most);
-  const auto rowAt = [&](int y, int z)
+  // One more than the least of the seven bricks ahead. There is a border of bricks that are far
+  // from all visible ones.
+  const std::ptrdiff_t rowStride = this->Count[0] + 2;
+  const std::ptrdiff_t layerStride = rowStride * (this->Count[1] + 2);
+  std::vector<unsigned char> map(
+    static_cast<std::size_t>(layerStride * (this->Count[2] + 2)), MostDistance);
+  const std::ptrdiff_t x = (octant & 1) != 0 ? -1 : 1;
+  const std::ptrdiff_t y = (octant & 2) != 0 ? -rowStride : rowStride;
+  const std::ptrdiff_t z = (octant & 4) != 0 ? -layerStride : layerStride;
+  const auto inTurn = [this, octant](std::size_t axis, int i)
+  { return (octant >> axis & 1) != 0 ? i : this->Count[axis] - 1 - i; };
+  for (int iz = 0; iz < this->Count[2]; ++iz)
   {
-    const bool inside = y >= 0 && y < this->Count[1] && z >= 0 && z < this->Count[2];
-    return inside ? map + begin(y, z) : outside.data();
-  };
-  std::vector<unsigned char> nearest(static_cast<std::size_t>(length) + 2);
-  std::vector<unsigned char> limits(static_cast<std::size_t>(length));
-  for (int iz = 0; iz < layers; ++iz)
-  {
-    const int z = along(2) > 0 ? layers - 1 - iz : iz;
-    for (int iy = 0; iy < height; ++iy)
+    for (int iy = 0; iy < this->Count[1]; ++iy)
     {
-      const int y = along(1) > 0 ? height - 1 - iy : iy;
-      FillRow({visible.data() + begin(y, z), map + begin(y, z), length, along(0)},
-        {rowAt(y + along(1), z), rowAt(y, z + along(2)), rowAt(y + along(1), z + along(2))},
-        nearest.data(), limits.data());
+      const std::ptrdiff_t row = std::ptrdiff_t{inTurn(2, iz)} * this->Count[1] + inTurn(1, iy);
+      const unsigned char* seen = visible.data() + row * this->Count[0];
+      unsigned char* distances =
+        this->Distances.data() + octant * visible.size() + row * this->Count[0];
+      unsigned char* here =
+        map.data() + (inTurn(2, iz) + 1) * layerStride + (inTurn(1, iy) + 1) * rowStride + 1;
+      for (int ix = 0; ix < this->Count[0]; ++ix)
+      {
+        const int column = inTurn(0, ix);
+        const unsigned char* d = here + column;
+        const unsigned char least =
+          std::min({d[x], d[y], d[z], d[x + y], d[x + z], d[y + z], d[x + y + z]});
+        here[column] = seen[column] != 0
+                         ? 0
+                         : static_cast<unsigned char>(least + (least < MostDistance ? 1 : 0));
+        distances[column] = here[column];
+      }
     }
   }
 }
 
-std::array<double, 6> vtkTextureSliceDistanceMap::FindSeen() const
+void vtkTextureSliceDistanceMap::FindSeen(const std::vector<unsigned char>& visible)
 {
   std::array<int, 6> bricks{this->Count[0], -1, this->Count[1], -1, this->Count[2], -1};
-  const unsigned char* distance = this->Distances.data();
-  for (int z = 0; z < this->Count[2]; ++z)
+  for (int id = 0; id < static_cast<int>(visible.size()); ++id)
   {
-    for (int y = 0; y < this->Count[1]; ++y)
+    const std::array<int, 3> brick{id % this->Count[0], id / this->Count[0] % this->Count[1],
+      id / (this->Count[0] * this->Count[1])};
+    for (std::size_t axis = 0; axis < 3 && visible[static_cast<std::size_t>(id)] != 0; ++axis)
     {
-      for (int x = 0; x < this->Count[0]; ++x, ++distance)
-      {
-        const std::array<int, 3> brick{x, y, z};
-        for (std::size_t axis = 0; axis < 3 && *distance == 0; ++axis)
-        {
-          bricks[2 * axis] = std::min(bricks[2 * axis], brick[axis]);
-          bricks[2 * axis + 1] = std::max(bricks[2 * axis + 1], brick[axis]);
-        }
-      }
+      bricks[2 * axis] = std::min(bricks[2 * axis], brick[axis]);
+      bricks[2 * axis + 1] = std::max(bricks[2 * axis + 1], brick[axis]);
     }
   }
-  std::array<double, 6> seen{};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    seen[2 * axis] = bricks[2 * axis] * this->Edge[axis];
-    seen[2 * axis + 1] = std::min(1.0, (bricks[2 * axis + 1] + 1) * this->Edge[axis]);
+    this->Seen[2 * axis] = bricks[2 * axis] * this->Edge[axis];
+    this->Seen[2 * axis + 1] = std::min(1.0, (bricks[2 * axis + 1] + 1) * this->Edge[axis]);
   }
-  return seen;
 }
 
 void vtkTextureSliceDistanceMap::Upload(vtkOpenGLRenderWindow* window)
@@ -268,18 +229,12 @@ void vtkTextureSliceDistanceMap::SetUniforms(
   program->SetUniform3f("lastBrick", last.data());
 }
 
-vtkTextureSliceEmptySpace::Key vtkTextureSliceEmptySpace::MakeKey(const Source& source)
-{
-  return {source.Texture.GetBricks().GetBuildTime(), source.Table.GetVisibilityTime(),
-    source.Table2D.GetFillTime(),
-    {source.Request.Mapper->GetAverageIPScalarRange()[0],
-      source.Request.Mapper->GetAverageIPScalarRange()[1]},
-    source.Request.GetIsoValues(), source.Request.GetFeatures().GetDefines()};
-}
-
 void vtkTextureSliceEmptySpace::Update(const Source& source)
 {
-  Key key = MakeKey(source);
+  const double* range = source.Request.Mapper->GetAverageIPScalarRange();
+  Key key{source.Texture.GetBricks().BuildTime, source.Table.GetFillTime(),
+    source.Table2D.GetFillTime(), {range[0], range[1]}, source.Request.GetIsoValues(),
+    source.Request.GetFeatures().GetDefines()};
   if (key == this->Last)
   {
     return;
@@ -288,18 +243,16 @@ void vtkTextureSliceEmptySpace::Update(const Source& source)
   const std::vector<unsigned char> before = this->Visible;
   this->FindVisible(source);
   const vtkTextureSliceBricks& bricks = source.Texture.GetBricks();
-  if (this->Visible == before && bricks.GetEdge() == this->Edge)
+  if (this->Visible == before && bricks.Edge == this->Distances.Edge)
   {
     return; // another colour, or another opacity of what is visible
   }
-  this->Edge = bricks.GetEdge();
-  this->Distances.Build(bricks.GetCount(), this->Edge, this->Visible);
-  this->Seen = this->Distances.FindSeen();
+  this->Distances.Build(bricks.Count, bricks.Edge, this->Visible);
 }
 
 void vtkTextureSliceEmptySpace::FindVisible(const Source& source)
 {
-  const std::vector<vtkTextureSliceBricks::Range>& ranges = source.Texture.GetBricks().GetRanges();
+  const std::vector<vtkTextureSliceBricks::Range>& ranges = source.Texture.GetBricks().Ranges;
   const std::size_t components = source.Texture.GetComponents().size();
   this->Visible.resize(ranges.size() / components);
   const auto tests = MakeTests(source);
@@ -310,13 +263,6 @@ void vtkTextureSliceEmptySpace::FindVisible(const Source& source)
            ++brick)
       {
         const auto* const own = ranges.data() + brick * components;
-        // Bricks without echoes have the ranges of those before them.
-        if (static_cast<vtkIdType>(brick) > begin &&
-            std::equal(own, own + components, own - components))
-        {
-          this->Visible[brick] = this->Visible[brick - 1];
-          continue;
-        }
         const bool visible =
           std::any_of(tests.begin(), tests.end(), [own](const Test& test) { return test(own); });
         this->Visible[brick] = visible ? 1 : 0;

@@ -33,48 +33,39 @@ public:
   /// z.
   static constexpr int Octants = 8;
 
-  /**
-   * @param count bricks along each axis.
-   * @param edge a brick's edges in box coordinates (0 to 1 along each axis); the last brick along
-   * an axis may reach beyond the box.
-   * @param visible not 0 for visible bricks, x fastest.
-   */
+  /// @param count bricks along each axis.
+  /// @param edge a brick's edges in box coordinates (0 to 1 along each axis); the last brick along
+  /// an axis may reach beyond the box.
+  /// @param visible not 0 for visible bricks, x fastest.
   void Build(const std::array<int, 3>& count, const std::array<double, 3>& edge,
     const std::vector<unsigned char>& visible);
 
-  /// One octant after the other, each with one distance for each brick, x fastest.
-  const std::vector<unsigned char>& GetDistances() const { return this->Distances; }
-  /// Part of the bricks that are visible, 0 to 1.
-  double GetVisibleShare() const { return this->VisibleShare; }
-
-  /// The part of the box about all visible bricks: lower x, upper x, lower y and so on.
-  std::array<double, 6> FindSeen() const;
-
-  /// Brings the texture up to date.
   void Upload(vtkOpenGLRenderWindow* window);
-  vtkTextureObject* GetTexture() const { return this->Texture; }
-  /// Sets what TextureSliceSkippingFS reads.
   void SetUniforms(vtkShaderProgram* program, const vtkTextureSliceFrame& frame) const;
-
-private:
-  void Fill(unsigned int octant, const std::vector<unsigned char>& visible);
 
   std::array<int, 3> Count{1, 1, 1};
   std::array<double, 3> Edge{1.0, 1.0, 1.0};
+  /// One octant after the other, each with one distance for each brick, x fastest.
   std::vector<unsigned char> Distances;
-  double VisibleShare = 1.0;
-  bool Uploaded = false;
+  double VisibleShare = 1.0; ///< part of the bricks, 0 to 1
+  /// The part of the box about all visible bricks: lower x, upper x, lower y and so on.
+  std::array<double, 6> Seen{0, 1, 0, 1, 0, 1};
   vtkNew<vtkTextureObject> Texture;
+
+private:
+  void Fill(unsigned int octant, const std::vector<unsigned char>& visible);
+  void FindSeen(const std::vector<unsigned char>& visible);
+
+  bool Uploaded = false;
 };
 
 /**
  * Marks the bricks of a volume that can add to the picture. Changes of the functions alone cost a
  * look at each brick, not at each voxel. What counts depends on the blend mode:
  *
- * - composite: the opacities of the functions, or of a label's, are above 0 somewhere in the range
- *   of a brick's scalars; of two-dimensional functions, at some gradient;
+ * - composite, additive: the opacities of the functions, or of a label's, are above 0 somewhere in
+ * the range of a brick's scalars; of two-dimensional functions, at some gradient;
  * - maximum, minimum: the same, of all that a brick's scalars could hide;
- * - additive: the same as composite; a sample without opacity adds 0;
  * - average: the scalars that the average counts, whatever their opacity;
  * - isosurface: an iso-value is in the range.
  */
@@ -84,31 +75,25 @@ public:
   /// Does nothing where nothing has changed of the scalars and the functions.
   void Update(const vtkTextureSliceParts& source);
 
-  /// How far it is to the next visible brick.
-  vtkTextureSliceDistanceMap& GetDistances() { return this->Distances; }
   /// Whether so much is empty that looking for it costs less than it saves.
   bool IsSkippingWorthwhile() const
   {
     constexpr double mostVisible = 0.75;
-    return this->Distances.GetVisibleShare() < mostVisible;
+    return this->Distances.VisibleShare < mostVisible;
   }
-  /// Where all that can be seen lies: lower x, upper x, lower y and so on, in box coordinates.
-  const std::array<double, 6>& GetSeen() const { return this->Seen; }
   /// Whether no sample can be seen.
-  bool IsNothingVisible() const { return this->Distances.GetVisibleShare() <= 0.0; }
+  bool IsNothingVisible() const { return this->Distances.VisibleShare <= 0.0; }
+
+  /// How far it is to the next visible brick.
+  vtkTextureSliceDistanceMap Distances;
 
 private:
-  /// All that the answers depend on, the order that of MakeKey.
+  /// All that the answers depend on.
   using Key = std::tuple<vtkMTimeType, vtkMTimeType, vtkMTimeType, std::array<double, 2>,
     std::vector<double>, std::string>;
-  static Key MakeKey(const vtkTextureSliceParts& source);
-
   void FindVisible(const vtkTextureSliceParts& source);
 
   Key Last;
-  std::array<double, 3> Edge{}; ///< of the bricks that the distances are of
-  vtkTextureSliceDistanceMap Distances;
-  std::array<double, 6> Seen{0, 1, 0, 1, 0, 1};
   std::vector<unsigned char> Visible; ///< not 0 where a brick counts
 };
 

@@ -6,12 +6,14 @@
 #include "vtkMath.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkOpenGLCamera.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 #include "vtkVolumeMapper.h"
+#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,15 +62,16 @@ std::pair<double, double> DepthRange(const vtkTextureSliceView& view, const Plan
   return {std::max(nearest, view.NearDepth), farthest};
 }
 
-/// The axis of the view in box coordinates, for one unit of depth.
-Vector ViewDirection(const vtkTextureSliceView& view)
+/// Data length of one unit of depth along the axis of the view.
+double FindDataPerDepth(const vtkTextureSliceView& view)
 {
   const auto& m = view.BoxToCamera;
   const double rows[3][3] = {{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}};
   const double back[3] = {0.0, 0.0, -1.0};
-  Vector direction{};
+  Vector direction{}; // in box coordinates
   vtkMath::LinearSolve3x3(rows, back, direction.data());
-  return direction;
+  return std::hypot(direction[0] * view.EdgeLength[0], direction[1] * view.EdgeLength[1],
+    direction[2] * view.EdgeLength[2]);
 }
 
 /// How far the slices must go towards the eye so that none of them lies on faces between voxels:
@@ -106,11 +109,8 @@ int CountSlices(const vtkTextureSliceView& view, double nearest, double farthest
   double count = view.NumberOfSlices;
   if (view.NumberOfSlices <= 0)
   {
-    const Vector direction = ViewDirection(view);
-    const double perDepth = std::hypot(direction[0] * view.EdgeLength[0],
-      direction[1] * view.EdgeLength[1], direction[2] * view.EdgeLength[2]);
     constexpr double rounding = 0.01; // a camera that is turned a little sees as many slices
-    count = std::ceil(thickness * perDepth / view.SampleDistance - rounding);
+    count = std::ceil(thickness * FindDataPerDepth(view) / view.SampleDistance - rounding);
   }
   return static_cast<int>(
     std::clamp(count, 1.0, double{vtkTextureSlicePlanes::MaximumNumberOfSlices}));
@@ -134,16 +134,10 @@ vtkTextureSlicePixelMap MapPixels(const vtkTextureSliceView& view, double depthO
   };
   const Vector somewhere = solve(0.0, 0.0, depthOfPlane - depth[3]);
   const double w = Evaluate(RowOf(view.BoxToClip, 3), somewhere);
-  vtkTextureSlicePixelMap map;
-  map.Right = solve(2.0 * w / view.Viewport[0], 0.0, 0.0);
-  map.Up = solve(0.0, 2.0 * w / view.Viewport[1], 0.0);
-  map.Origin = solve(-w - right[3], -w - up[3], depthOfPlane - depth[3]);
+  const vtkTextureSlicePixelMap map{solve(2.0 * w / view.Viewport[0], 0.0, 0.0),
+    solve(0.0, 2.0 * w / view.Viewport[1], 0.0),
+    solve(-w - right[3], -w - up[3], depthOfPlane - depth[3])};
   return map;
-}
-
-Vector Minus(const Vector& a, const Vector& b)
-{
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
 std::array<float, 4> MapDepths(
@@ -190,19 +184,15 @@ void vtkTextureSlicePlanes::Place(const vtkTextureSliceView& view)
   this->DepthStep = (farthest - nearest) / this->NumberOfSlices;
   this->NearestDepth = nearest + 0.5 * this->DepthStep -
                        FindShift(view, depth, nearest, this->DepthStep, this->NumberOfSlices);
-  const Vector direction = ViewDirection(view);
-  this->DataStep =
-    this->DepthStep * std::hypot(direction[0] * view.EdgeLength[0],
-                        direction[1] * view.EdgeLength[1], direction[2] * view.EdgeLength[2]);
+  this->DataStep = this->DepthStep * FindDataPerDepth(view);
   this->Places = MapPixels(view, this->NearestDepth);
-  const vtkTextureSlicePixelMap next = MapPixels(view, this->NearestDepth + this->DepthStep);
-  this->Steps = {Minus(next.Right, this->Places.Right), Minus(next.Up, this->Places.Up),
-    Minus(next.Origin, this->Places.Origin)};
-  this->DepthToSlice = MapDepths(view, this->Places.Origin, this->Steps.Origin);
+  this->Steps = MapPixels(view, this->NearestDepth + this->DepthStep);
+  for (std::size_t i = 0; i < 9; ++i)
+  {
+    this->Steps[i / 3][i % 3] -= this->Places[i / 3][i % 3];
+  }
+  this->DepthToSlice = MapDepths(view, this->Places[2], this->Steps[2]);
 }
-
-vtkTextureSliceFrame::vtkTextureSliceFrame() = default;
-vtkTextureSliceFrame::~vtkTextureSliceFrame() = default;
 
 void vtkTextureSliceFrame::SetVolume(vtkImageData* image, bool cellData, vtkVolume* volume)
 {
@@ -213,35 +203,40 @@ void vtkTextureSliceFrame::SetVolume(vtkImageData* image, bool cellData, vtkVolu
   image->GetSpacing(spacing);
   image->GetOrigin(this->Origin.data());
 
-  vtkNew<vtkMatrix4x4> boxToIndex;
+  const bool nearest = volume->GetProperty()->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
+  std::array<double, 16> boxToIndex{};
+  boxToIndex[15] = 1.0;
   vtkNew<vtkMatrix4x4> volumeToWorld;
   volume->GetMatrix(volumeToWorld);
   this->ShortestVoxelEdge = VTK_DOUBLE_MAX;
   const double meanSpacing =
     (std::abs(spacing[0]) + std::abs(spacing[1]) + std::abs(spacing[2])) / 3.0;
-  for (int axis = 0; axis < 3; ++axis)
+  for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const auto a = static_cast<std::size_t>(axis);
     const int intervals = extent[2 * axis + 1] - extent[2 * axis];
-    this->Intervals[a] = intervals;
-    boxToIndex->SetElement(axis, axis, intervals);
-    boxToIndex->SetElement(axis, 3, extent[2 * axis]);
-    this->Origin[a] += extent[2 * axis] * spacing[axis];
-    this->View.EdgeLength[a] = intervals * spacing[axis];
+    boxToIndex[5 * axis] = intervals;
+    boxToIndex[4 * axis + 3] = extent[2 * axis];
+    this->Origin[axis] += extent[2 * axis] * spacing[axis];
+    this->View.EdgeLength[axis] = intervals * spacing[axis];
+    // Between two points, or at the faces of cells.
+    this->View.Faces[axis] = nearest ? intervals : 0.0;
+    this->View.FirstFace[axis] = (cellData ? 0.0 : 0.5) / intervals;
     // Point scalars sit at the centres of the outermost texels, cell scalars half a cell inside.
     const double texels = intervals + (cellData ? 0 : 1);
-    this->TextureScale[a] = static_cast<float>(intervals / texels);
-    this->TextureBias[a] = static_cast<float>(cellData ? 0.0 : 0.5 / texels);
-    this->VoxelStep[a] =
+    this->TextureScale[axis] = static_cast<float>(intervals / texels);
+    this->TextureBias[axis] = static_cast<float>(cellData ? 0.0 : 0.5 / texels);
+    this->VoxelStep[axis] =
       static_cast<float>(1.0 / std::max(1, cellData ? intervals - 1 : intervals));
-    this->InverseAspect[a] = static_cast<float>(meanSpacing / (2.0 * spacing[axis]));
+    this->InverseAspect[axis] = static_cast<float>(meanSpacing / (2.0 * spacing[axis]));
 
-    const double column = std::hypot(volumeToWorld->GetElement(0, axis),
-      volumeToWorld->GetElement(1, axis), volumeToWorld->GetElement(2, axis));
+    const double* world = volumeToWorld->GetData();
+    const double column = std::hypot(world[axis], world[4 + axis], world[8 + axis]);
     this->ShortestVoxelEdge = std::min(this->ShortestVoxelEdge, std::abs(spacing[axis]) * column);
   }
-  vtkMatrix4x4::Multiply4x4(image->GetIndexToPhysicalMatrix(), boxToIndex, this->BoxToWorld);
-  vtkMatrix4x4::Multiply4x4(volumeToWorld, this->BoxToWorld, this->BoxToWorld);
+  std::array<double, 16> boxToData{};
+  vtkMatrix4x4::Multiply4x4(
+    image->GetIndexToPhysicalMatrix()->GetData(), boxToIndex.data(), boxToData.data());
+  vtkMatrix4x4::Multiply4x4(volumeToWorld->GetData(), boxToData.data(), this->BoxToWorld.data());
 }
 
 std::array<float, 4> vtkTextureSliceFrame::GetStair() const
@@ -263,20 +258,18 @@ void vtkTextureSliceFrame::SetCamera(vtkRenderer* renderer)
   vtkMatrix3x3* normals = nullptr;
   vtkMatrix4x4* cameraToClip = nullptr;
   vtkMatrix4x4* worldToClip = nullptr;
-  // These come column by column, ready for OpenGL.
+  // These come column by column.
   camera->GetKeyMatrices(renderer, worldToCamera, normals, cameraToClip, worldToClip);
 
-  vtkNew<vtkMatrix4x4> boxColumns;
-  vtkMatrix4x4::Transpose(this->BoxToWorld, boxColumns);
-  vtkMatrix4x4::Multiply4x4(boxColumns, worldToClip, this->BoxToClip);
-
-  vtkNew<vtkMatrix4x4> boxToCamera;
-  vtkMatrix4x4::Multiply4x4(boxColumns, worldToCamera, boxToCamera);
-  boxToCamera->Transpose();
-  std::copy(boxToCamera->GetData(), boxToCamera->GetData() + 16, this->View.BoxToCamera.begin());
-  vtkNew<vtkMatrix4x4> boxToClipRows;
-  vtkMatrix4x4::Transpose(this->BoxToClip, boxToClipRows);
-  std::copy(boxToClipRows->GetData(), boxToClipRows->GetData() + 16, this->View.BoxToClip.begin());
+  const auto fromBox = [this](vtkMatrix4x4* columns, std::array<double, 16>& rows)
+  {
+    vtkNew<vtkMatrix4x4> matrix;
+    matrix->DeepCopy(columns);
+    matrix->Transpose();
+    vtkMatrix4x4::Multiply4x4(matrix->GetData(), this->BoxToWorld.data(), rows.data());
+  };
+  fromBox(worldToCamera, this->View.BoxToCamera);
+  fromBox(worldToClip, this->View.BoxToClip);
   this->View.NearDepth = camera->GetClippingRange()[0];
 }
 
@@ -310,22 +303,7 @@ void vtkTextureSliceFrame::SetCuts(vtkVolumeMapper* mapper)
       this->Cut.CropHigh[axis] = high;
     }
   }
-}
-
-void vtkTextureSliceFrame::SetPlane(vtkPlane* plane)
-{
-  this->View.Plane.reset();
-  if (plane != nullptr)
-  {
-    this->View.Plane = this->ToBox(plane);
-  }
-}
-
-std::array<double, 3> vtkTextureSliceFrame::GetFirstFace() const
-{
-  // Between two points, or at the faces of cells.
-  const double half = this->CellData ? 0.0 : 0.5;
-  return {half / this->Intervals[0], half / this->Intervals[1], half / this->Intervals[2]};
+  this->View.Part = this->Cut.Part;
 }
 
 std::array<double, 4> vtkTextureSliceFrame::ToBox(vtkPlane* plane) const
@@ -338,13 +316,9 @@ std::array<double, 4> vtkTextureSliceFrame::ToBox(vtkPlane* plane) const
     -(normal[0] * origin[0] + normal[1] * origin[1] + normal[2] * origin[2])};
   // A plane goes from world to box coordinates by the matrix that takes points from box to world.
   std::array<double, 4> box{};
-  for (int column = 0; column < 4; ++column)
+  for (std::size_t i = 0; i < 16; ++i)
   {
-    for (int row = 0; row < 4; ++row)
-    {
-      box[static_cast<std::size_t>(column)] +=
-        world[row] * this->BoxToWorld->GetElement(row, column);
-    }
+    box[i % 4] += world[i / 4] * this->BoxToWorld[i];
   }
   return box;
 }
@@ -352,17 +326,16 @@ std::array<double, 4> vtkTextureSliceFrame::ToBox(vtkPlane* plane) const
 std::array<double, 3> vtkTextureSliceFrame::GetDataDirection(
   const std::array<double, 3>& world) const
 {
-  vtkNew<vtkMatrix4x4> worldToBox;
-  vtkMatrix4x4::Invert(this->BoxToWorld, worldToBox);
+  std::array<double, 16> worldToBox{};
+  vtkMatrix4x4::Invert(this->BoxToWorld.data(), worldToBox.data());
   std::array<double, 3> data{};
-  for (int axis = 0; axis < 3; ++axis)
+  for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const auto a = static_cast<std::size_t>(axis);
-    for (int column = 0; column < 3; ++column)
+    for (std::size_t column = 0; column < 3; ++column)
     {
-      data[a] += worldToBox->GetElement(axis, column) * world[static_cast<std::size_t>(column)];
+      data[axis] += worldToBox[4 * axis + column] * world[column];
     }
-    data[a] *= std::abs(this->View.EdgeLength[a]);
+    data[axis] *= std::abs(this->View.EdgeLength[axis]);
   }
   return data;
 }
@@ -404,5 +377,15 @@ bool vtkTextureSliceFrame::IsFlat() const
 {
   const Vector& edges = this->View.EdgeLength;
   return !(std::abs(edges[0] * edges[1] * edges[2]) > 0.0) ||
-         !(std::abs(this->BoxToWorld->Determinant()) > 0.0);
+         !(std::abs(vtkMatrix4x4::Determinant(this->BoxToWorld.data())) > 0.0);
+}
+
+std::array<float, 16> vtkTextureSliceFrame::ToColumns(const std::array<double, 16>& rows)
+{
+  std::array<float, 16> columns{};
+  for (std::size_t i = 0; i < 16; ++i)
+  {
+    columns[i] = static_cast<float>(rows[4 * (i % 4) + i / 4]);
+  }
+  return columns;
 }

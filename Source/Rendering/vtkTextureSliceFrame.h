@@ -3,7 +3,6 @@
 #ifndef vtkTextureSliceFrame_h
 #define vtkTextureSliceFrame_h
 
-#include "vtkNew.h"
 #include "vtkNexradRenderingModule.h" // for the export macro
 #include "vtkTextureSliceLightCells.h"
 
@@ -12,7 +11,6 @@
 #include <vector>
 
 class vtkImageData;
-class vtkMatrix4x4;
 class vtkPlane;
 class vtkRenderer;
 class vtkVolume;
@@ -49,13 +47,9 @@ struct vtkTextureSliceView
   std::array<int, 2> Viewport{1, 1};
 };
 
-/// A vector that depends on a pixel: Right * x + Up * y + Origin, pixels' centres at one half.
-struct vtkTextureSlicePixelMap
-{
-  std::array<double, 3> Right{};
-  std::array<double, 3> Up{};
-  std::array<double, 3> Origin{};
-};
+/// A vector that depends on a pixel: the first one times x, plus the second one times y, plus the
+/// third one; pixels' centres lie at one half.
+using vtkTextureSlicePixelMap = std::array<std::array<double, 3>, 3>;
 
 /**
  * Planes of equal depth, in the middle of equal intervals between the nearest and the farthest
@@ -63,38 +57,26 @@ struct vtkTextureSlicePixelMap
  * quarter of a voxel, or of an interval. Places on a ray are counted in slices: 0 is the nearest
  * plane.
  */
-class VTKNEXRADRENDERING_EXPORT vtkTextureSlicePlanes
+struct VTKNEXRADRENDERING_EXPORT vtkTextureSlicePlanes
 {
-public:
   /// More slices than this are not drawn, however small the sample distance.
   static constexpr int MaximumNumberOfSlices = 16384;
 
   /// There are no slices where the part is behind the near plane.
   void Place(const vtkTextureSliceView& view);
 
-  int GetNumberOfSlices() const { return this->NumberOfSlices; }
-  /// Depth of the nearest slice, and between two of them, in the camera's (world) units.
-  double GetNearestDepth() const { return this->NearestDepth; }
-  double GetDepthStep() const { return this->DepthStep; }
-  /// The distance of two slices along the axis of the view as a data length.
-  double GetDataStep() const { return this->DataStep; }
-  /// Where a pixel's ray meets the nearest slice, and its way from one slice to the next, in box
-  /// coordinates.
-  const vtkTextureSlicePixelMap& GetPlaces() const { return this->Places; }
-  const vtkTextureSlicePixelMap& GetSteps() const { return this->Steps; }
-  /**
-   * a, b, c, d that give the place on a ray at a depth of the window (0 to 1). With m the double of
-   * what the depth lacks to 1, it is (a - m * b) / (c + m * d).
-   */
-  const std::array<float, 4>& GetDepthToSlice() const { return this->DepthToSlice; }
-
-private:
   int NumberOfSlices = 0;
+  /// Depth of the nearest slice, and between two of them, in the camera's (world) units.
   double NearestDepth = 0.0;
   double DepthStep = 0.0;
+  /// The distance of two slices along the axis of the view as a data length.
   double DataStep = 0.0;
+  /// Where a pixel's ray meets the nearest slice, and its way from one slice to the next, in box
+  /// coordinates.
   vtkTextureSlicePixelMap Places;
   vtkTextureSlicePixelMap Steps;
+  /// a, b, c, d that give the place on a ray at a depth of the window (0 to 1). With m the double
+  /// of what the depth lacks to 1, it is (a - m * b) / (c + m * d).
   std::array<float, 4> DepthToSlice{};
 };
 
@@ -105,15 +87,10 @@ private:
  */
 struct vtkTextureSliceFrame
 {
-  vtkTextureSliceFrame();
-  ~vtkTextureSliceFrame();
-
   void SetVolume(vtkImageData* image, bool cellData, vtkVolume* volume);
   void SetCamera(vtkRenderer* renderer);
   /// The mapper's cropping and clipping planes.
   void SetCuts(vtkVolumeMapper* mapper);
-  /// The one plane to draw, in world coordinates; nullptr: none.
-  void SetPlane(vtkPlane* plane);
 
   /// A plane in world coordinates as a, b, c, d of a*x + b*y + c*z + d in box coordinates.
   std::array<double, 4> ToBox(vtkPlane* plane) const;
@@ -121,7 +98,6 @@ struct vtkTextureSliceFrame
   bool IsFlat() const;
   /// A direction in world coordinates as data lengths along the box's axes, towards higher indices.
   std::array<double, 3> GetDataDirection(const std::array<double, 3>& world) const;
-  /// A plane in box coordinates as one in texture coordinates.
   std::array<float, 4> ToTexture(const std::array<double, 4>& box) const;
   /// The clipping planes that cut something of the part off, four numbers each, in texture
   /// coordinates; what is below 0 is cut away.
@@ -129,14 +105,11 @@ struct vtkTextureSliceFrame
   /// One voxel along its shortest edge as texture coordinates, and how many of them make half of
   /// its longest edge: 0 for cubes, 4 at most.
   std::array<float, 4> GetStair() const;
-  /// Where the first face between two voxels is in the box, along each axis.
-  std::array<double, 3> GetFirstFace() const;
+  /// A matrix column by column, as OpenGL reads it.
+  static std::array<float, 16> ToColumns(const std::array<double, 16>& rows);
 
-  vtkNew<vtkMatrix4x4> BoxToWorld;
-  /// Column by column as OpenGL reads it.
-  vtkNew<vtkMatrix4x4> BoxToClip;
-  /// For the slices, without their number and distance.
-  vtkTextureSliceView View;
+  std::array<double, 16> BoxToWorld{}; ///< row by row
+  vtkTextureSliceView View;            ///< for the slices
   vtkTextureSliceCut Cut;
   std::array<double, 3> Origin{};
   /// Box to texture coordinates: p * scale + bias (Formulas R2).
@@ -147,9 +120,8 @@ struct vtkTextureSliceFrame
   std::array<float, 3> VoxelStep{};
   /// The mean spacing over twice the (signed) spacing along each axis.
   std::array<float, 3> InverseAspect{};
-  bool CellData = false;             ///< whether the scalars are those of the image's cells
-  std::array<double, 3> Intervals{}; ///< voxels' edges in the box
-  double ShortestVoxelEdge = 1.0;    ///< world length
+  bool CellData = false;          ///< whether the scalars are those of the image's cells
+  double ShortestVoxelEdge = 1.0; ///< world length
 };
 
 #endif

@@ -4,6 +4,7 @@
 #define vtkTextureSliceLights_h
 
 #include <array>
+#include <map>
 #include <vector>
 
 class vtkLight;
@@ -25,19 +26,14 @@ public:
   void SetUniforms(vtkShaderProgram* program, const vtkTextureSliceFrame& frame) const;
 
 private:
-  using Vector = std::array<float, 3>;
-
   void Append(vtkRenderer* renderer, vtkLight* light);
 
+  int Count = 0;
   bool OnlyHeadlight = false;
   bool TwoSided = true;
-  Vector Ambient{}; ///< of all lights
-  std::vector<Vector> Diffuse;
-  std::vector<Vector> Specular;
-  std::vector<Vector> Direction; ///< in camera coordinates
-  std::vector<Vector> Position;  ///< in camera coordinates
-  std::vector<Vector> Attenuation;
-  std::vector<Vector> Cone; ///< whether it has a position, cosine of the cone or -2, exponent
+  std::array<float, 3> Ambient{}; ///< of all lights
+  /// The uniforms that have a vector for each light.
+  std::map<const char*, std::vector<std::array<float, 3>>> Vectors;
 };
 
 #endif

@@ -13,10 +13,7 @@ namespace
 
 constexpr const char* Overridden = "vtkGPUVolumeRayCastMapper";
 
-vtkObject* MakeSlices()
-{
-  return vtkOpenGLTextureSliceVolumeMapper::New();
-}
+VTK_CREATE_CREATE_FUNCTION(vtkOpenGLTextureSliceVolumeMapper);
 
 /// The factory that Activate registered; VTK's list keeps it.
 vtkWeakPointer<vtkObjectFactory>& GetRegistered()
@@ -29,8 +26,8 @@ vtkWeakPointer<vtkObjectFactory>& GetRegistered()
 
 vtkTextureSliceObjectFactory::vtkTextureSliceObjectFactory()
 {
-  this->RegisterOverride(
-    Overridden, "vtkOpenGLTextureSliceVolumeMapper", "Slices of a 3-D texture", 1, MakeSlices);
+  this->RegisterOverride(Overridden, "vtkOpenGLTextureSliceVolumeMapper", "Slices of a 3-D texture",
+    1, vtkObjectFactoryCreatevtkOpenGLTextureSliceVolumeMapper);
 }
 
 void vtkTextureSliceObjectFactory::DisableOthers()
@@ -66,9 +63,4 @@ const char* vtkTextureSliceObjectFactory::GetVTKSourceVersion()
 const char* vtkTextureSliceObjectFactory::GetDescription()
 {
   return "Slices of a 3-D texture in place of ray casting";
-}
-
-void vtkTextureSliceObjectFactory::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
 }

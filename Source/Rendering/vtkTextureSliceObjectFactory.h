@@ -23,7 +23,6 @@ class VTKNEXRADRENDERING_EXPORT vtkTextureSliceObjectFactory : public vtkObjectF
 public:
   static vtkTextureSliceObjectFactory* New();
   vtkTypeMacro(vtkTextureSliceObjectFactory, vtkObjectFactory);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /**

@@ -3,6 +3,7 @@
 
 #include "vtkImageData.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLTextureSliceVolumeMapper.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
@@ -12,27 +13,15 @@
 namespace
 {
 
-void SetFrame(vtkShaderProgram* program, const vtkTextureSliceFrame& frame)
-{
-  program->SetUniform3f("textureScale", frame.TextureScale.data());
-  program->SetUniform3f("textureBias", frame.TextureBias.data());
-  program->SetUniform3f("voxelStep", frame.VoxelStep.data());
-  program->SetUniform4f("stair", frame.GetStair().data());
-  program->SetUniform3f("inverseAspect", frame.InverseAspect.data());
-}
-
 /// Columns of a matrix that takes a pixel to a place, or with a bias of 0 a way, in the texture.
 std::array<float, 9> ToTexture(const vtkTextureSlicePixelMap& map,
   const std::array<float, 3>& scale, const std::array<float, 3>& bias)
 {
   std::array<float, 9> columns{};
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  for (std::size_t i = 0; i < 9; ++i)
   {
-    const auto perBox = static_cast<double>(scale[axis]);
-    columns[axis] = static_cast<float>(map.Right[axis] * perBox);
-    columns[3 + axis] = static_cast<float>(map.Up[axis] * perBox);
-    columns[6 + axis] =
-      static_cast<float>(map.Origin[axis] * perBox + static_cast<double>(bias[axis]));
+    const double place = map[i / 3][i % 3] * static_cast<double>(scale[i % 3]);
+    columns[i] = static_cast<float>(i < 6 ? place : place + static_cast<double>(bias[i % 3]));
   }
   return columns;
 }
@@ -44,8 +33,8 @@ void SetRays(vtkShaderProgram* program, const vtkTextureSliceParts& uniforms)
   const vtkTextureSlicePlanes& planes = uniforms.Planes;
   const auto& scale = frame.TextureScale;
   const auto& bias = frame.TextureBias;
-  auto places = ToTexture(planes.GetPlaces(), scale, bias);
-  auto steps = ToTexture(planes.GetSteps(), scale, {});
+  auto places = ToTexture(planes.Places, scale, bias);
+  auto steps = ToTexture(planes.Steps, scale, {});
   program->SetUniformMatrix3x3("placeOfPixel", places.data());
   program->SetUniformMatrix3x3("stepOfPixel", steps.data());
   const vtkTextureSliceCut& cut = frame.Cut;
@@ -68,7 +57,7 @@ void SetRays(vtkShaderProgram* program, const vtkTextureSliceParts& uniforms)
   program->SetUniform3f("cropHigh", faces[3].data());
   program->SetUniformi("cropFlags", cut.CropFlags);
   program->SetUniform3f("stepToUnits", toUnits.data());
-  program->SetUniform4f("depthToSlice", planes.GetDepthToSlice().data());
+  program->SetUniform4f("depthToSlice", planes.DepthToSlice.data());
   program->SetUniformf("pixelSize", static_cast<float>(uniforms.PixelSize));
   const std::vector<float> clipping = frame.GetClippingPlanesInTexture();
   if (!clipping.empty())
@@ -84,45 +73,37 @@ void SetRays(vtkShaderProgram* program, const vtkTextureSliceParts& uniforms)
 
 } // namespace
 
-std::vector<std::pair<const char*, vtkTextureObject*>> vtkTextureSliceParts::FindTextures()
+std::vector<vtkTextureSliceParts::Sampler> vtkTextureSliceParts::FindSamplers()
 {
   const vtkTextureSliceFeatures& features = this->Features;
-  std::vector<std::pair<const char*, vtkTextureObject*>> textures;
-  const auto add = [&textures](bool needed, const char* sampler, vtkTextureObject* texture)
-  {
-    if (needed)
-    {
-      textures.emplace_back(sampler, texture);
-    }
-  };
-  add(true, "volumeTexture", this->Texture.GetTexture());
-  add(true, "transferTable", this->Table.GetTexture());
-  add(features.Table2D, "transferTable2D", this->Table2D.GetTexture());
-  add(features.Rectilinear, "coordinateTable", this->Coordinates.GetTexture());
-  add(features.SecondArray > 0, "secondTexture", this->SecondArray.GetTexture());
-  add(features.Blanked, "blankTexture", this->Blanks.GetTexture());
-  add(features.HasMask(), "maskTexture", this->Mask.GetTexture());
-  add(features.Shadows, "lightTexture", this->Shadows.GetTexture());
-  add(features.NeedsDepth(), "geometryDepth", this->Target.GetGeometryDepth());
-  add(features.Skipping, "distanceMap", this->EmptySpace.GetDistances().GetTexture());
-  add(features.Slabs, "integralTable", this->Integrals.GetTexture());
-  return textures;
+  return {{true, "volumeTexture", this->Texture.GetTexture()},
+    {true, "transferTable", this->Table.GetTexture()},
+    {features.Table2D, "transferTable2D", this->Table2D.GetTexture()},
+    {features.Rectilinear, "coordinateTable", this->Coordinates.GetTexture()},
+    {features.SecondArray > 0, "secondTexture", this->SecondArray.GetTexture()},
+    {features.Blanked, "blankTexture", this->Blanks.GetTexture()},
+    {features.HasMask(), "maskTexture", this->Mask.GetTexture()},
+    {features.Shadows, "lightTexture", this->Shadows.GetTexture()},
+    {features.NeedsDepth(), "geometryDepth", this->Target.GetGeometryDepth()},
+    {features.Skipping, "distanceMap", this->EmptySpace.Distances.Texture},
+    {features.Slabs, "integralTable", this->Integrals.GetTexture()}};
 }
 
 void vtkTextureSliceParts::SetUniforms(vtkShaderProgram* program)
 {
   SetRays(program, *this);
-  SetFrame(program, this->Frame);
+  program->SetUniform3f("textureScale", this->Frame.TextureScale.data());
+  program->SetUniform3f("textureBias", this->Frame.TextureBias.data());
+  program->SetUniform3f("voxelStep", this->Frame.VoxelStep.data());
+  program->SetUniform4f("stair", this->Frame.GetStair().data());
+  program->SetUniform3f("inverseAspect", this->Frame.InverseAspect.data());
   // What a shader does not have, VTK passes over.
   const vtkTextureSliceFeatures& features = this->Features;
-  this->Request.SetUniforms(this->Texture.GetComponents(), program);
+  this->Request.SetUniforms(
+    this->Texture.GetComponents(), this->SecondArray.GetComponents(), program);
   this->Table.SetUniforms(program);
-  this->Blanks.SetUniforms(program);
-  this->EmptySpace.GetDistances().SetUniforms(program, this->Frame);
-  program->SetUniformf("labelWeight", this->LabelWeight);
-  program->SetUniformf("table2DRows", static_cast<float>(this->Table2D.GetNumberOfRows()));
-  this->Coordinates.SetUniforms(program);
-  vtkTextureSliceRequest::SetSecondArray(this->SecondArray.GetComponents(), program);
+  this->EmptySpace.Distances.SetUniforms(program, this->Frame);
+  program->SetUniformf("labelWeight", this->Request.Mapper->GetMaskBlendFactor());
   program->SetUniformi("slabsOfPiece", vtkTextureSliceFeatures::SlabsOfPiece);
   this->Integrals.SetUniforms(program);
   if (features.Lights >= 0)
@@ -141,23 +122,20 @@ void vtkTextureSliceParts::SetUniforms(vtkShaderProgram* program)
 
 void vtkTextureSliceParts::DrawWith(vtkShaderProgram* program, const std::function<void()>& draw)
 {
-  const auto textures = this->FindTextures();
-  for (const auto& [sampler, texture] : textures)
+  std::vector<vtkTextureObject*> active;
+  for (const Sampler& sampler : this->FindSamplers())
   {
-    texture->Activate();
-    program->SetUniformi(sampler, texture->GetTextureUnit());
+    if (sampler.Needed)
+    {
+      sampler.Texture->Activate();
+      program->SetUniformi(sampler.Name, sampler.Texture->GetTextureUnit());
+      active.push_back(sampler.Texture);
+    }
   }
   this->SetUniforms(program);
   draw();
   std::for_each(
-    textures.rbegin(), textures.rend(), [](const auto& named) { named.second->Deactivate(); });
-}
-
-bool vtkTextureSliceParts::IsNews(std::string& last, const std::string& message)
-{
-  const bool news = last != message;
-  last = message;
-  return news && !message.empty();
+    active.rbegin(), active.rend(), [](vtkTextureObject* texture) { texture->Deactivate(); });
 }
 
 void vtkTextureSliceParts::Release(vtkOpenGLRenderWindow* window)
@@ -167,12 +145,9 @@ void vtkTextureSliceParts::Release(vtkOpenGLRenderWindow* window)
     return;
   }
   window->PushContext();
-  for (vtkTextureObject* texture : {this->Texture.GetTexture(), this->Table.GetTexture(),
-         this->Table2D.GetTexture(), this->Mask.GetTexture(), this->SecondArray.GetTexture(),
-         this->Blanks.GetTexture(), this->Coordinates.GetTexture(), this->Shadows.GetTexture(),
-         this->Integrals.GetTexture(), this->EmptySpace.GetDistances().GetTexture()})
+  for (const Sampler& sampler : this->FindSamplers())
   {
-    texture->ReleaseGraphicsResources(window);
+    sampler.Texture->ReleaseGraphicsResources(window);
   }
   this->Target.ReleaseGraphicsResources(window);
   this->Ways.ReleaseGraphicsResources(window);
@@ -190,27 +165,38 @@ void vtkTextureSliceParts::Use(vtkOpenGLRenderWindow* window)
   window->MakeCurrent();
 }
 
-bool vtkTextureSliceParts::UpdateVolume(bool cellData, vtkDataArray* second, std::string& error)
+std::string vtkTextureSliceParts::UpdateVolume()
 {
   // As in VTK's ray caster, "nearest" holds for the tables as well as for the volume.
   const bool nearest = this->Request.IsNearest();
+  const bool cellData = this->Frame.CellData;
   if (this->Coordinates.IsUsed())
   {
     this->Coordinates.Update(this->Window);
   }
   auto source = vtkTextureSliceScalars::Find(this->Image, this->Scalars, cellData);
   source.Places = this->Coordinates.GetPlaces();
-  if (!this->Texture.Update(this->Window, source, nearest, error))
+  std::string error = this->Texture.Update(this->Window, source, nearest);
+  if (!error.empty())
   {
-    return false;
+    return error;
   }
   this->Table.Update(this->Window, this->Request.MakeRows(this->Texture.GetComponents()), nearest);
-  return this->Blanks.Update(this->Window, this->Image, cellData, error) &&
-         (second == nullptr ||
-           this->SecondArray.Update(this->Window,
-             vtkTextureSliceScalars::Find(this->Image, second, cellData), nearest, error)) &&
-         (!this->Request.GetFeatures().Table2D ||
-           this->Table2D.Update(this->Window, this->Request.MakeTables2D(), nearest, error));
+  vtkUnsignedCharArray* flags = vtkTextureSliceScalars::FindGhosts(this->Image, !cellData);
+  this->HasBlanks = flags != nullptr && flags->GetRange()[1] > 0.0;
+  if (this->HasBlanks)
+  {
+    error = this->Blanks.Update(
+      this->Window, {flags, vtkTextureSliceScalars::GetSize(this->Image, !cellData)}, true);
+  }
+  if (error.empty() && this->Request.ReadsSecondArray())
+  {
+    error = this->SecondArray.Update(this->Window,
+      vtkTextureSliceScalars::Find(this->Image, this->Request.SecondArray, cellData), nearest);
+  }
+  return error.empty() && this->Request.GetFeatures().Table2D
+           ? this->Table2D.Update(this->Window, this->Request.MakeTables2D(), nearest)
+           : error;
 }
 
 void vtkTextureSliceParts::UpdateIntegrals()
@@ -220,32 +206,30 @@ void vtkTextureSliceParts::UpdateIntegrals()
   {
     unitDistance = std::max(unitDistance, this->Request.GetUnitDistance(component));
   }
-  const double slab = this->Planes.GetDataStep();
+  const double slab = this->Planes.DataStep;
   const double mostDepth = vtkTextureSliceIntegralTable::ChooseMostDepth(slab / unitDistance);
   this->Integrals.Update(this->Window, this->Table, this->Features.CountFunctions(), mostDepth);
 }
 
-bool vtkTextureSliceParts::Draw(std::string& error)
+std::string vtkTextureSliceParts::Draw()
 {
   if (!this->Ways.Choose(*this))
   {
-    error = "OpenGL could not compile the shaders of the slices";
-    return false;
+    return "OpenGL could not compile the shaders of the slices";
   }
-  if (!this->Target.Begin(this->Window, this->PixelSize, this->Features.NeedsDepth(),
-        this->Ways.NeedsFullPrecision() || this->Features.Places, error))
+  std::string error = this->Target.Begin(*this);
+  if (error.empty())
   {
-    return false;
+    if (this->Features.Slabs)
+    {
+      this->UpdateIntegrals();
+    }
+    if (this->Features.Skipping)
+    {
+      this->EmptySpace.Distances.Upload(this->Window);
+    }
+    this->Ways.Draw(*this);
+    this->Target.End();
   }
-  if (this->Features.Slabs)
-  {
-    this->UpdateIntegrals();
-  }
-  if (this->Features.Skipping)
-  {
-    this->EmptySpace.GetDistances().Upload(this->Window);
-  }
-  this->Ways.Draw(*this);
-  this->Target.End();
-  return true;
+  return error;
 }

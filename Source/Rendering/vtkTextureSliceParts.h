@@ -20,7 +20,6 @@
 #include <array>
 #include <functional>
 #include <string>
-#include <utility>
 #include <vector>
 
 class vtkDataArray;
@@ -28,7 +27,6 @@ class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 class vtkTextureObject;
-class vtkTextureSliceDistanceMap;
 
 /**
  * What vtkOpenGLTextureSliceVolumeMapper works with, one job each. Each part decides for itself
@@ -48,7 +46,10 @@ struct vtkTextureSliceParts
   vtkTextureSliceCoordinates Coordinates; ///< used if Features.Rectilinear
   vtkTextureSliceTexture SecondArray;     ///< used if Features.SecondArray is above 0
   vtkTextureSliceTable2D Table2D;         ///< used if Features.Table2D
-  vtkTextureSliceBlanks Blanks;           ///< used if Features.Blanked
+  /// Flags of cells (or, beside scalars of cells, of points) that hide what is in them (or nearest
+  /// to them); used if Features.Blanked.
+  vtkTextureSliceTexture Blanks;
+  bool HasBlanks = false;
   vtkTextureSliceTexture Mask;            ///< used if Features.HasMask()
   vtkTextureSliceIntegralTable Integrals; ///< used if Features.Slabs
   vtkTextureSliceLights Lights;
@@ -64,19 +65,13 @@ struct vtkTextureSliceParts
   /// The part of the box with something to see: lower x, upper x, lower y and so on.
   std::array<double, 6> Seen{0, 1, 0, 1, 0, 1};
   double PixelSize = 1.0;                ///< pixels of the viewport for one of the picture
-  float LabelWeight = 1.0f;              ///< how much the label's functions count
   std::array<float, 3> SelectionColor{}; ///< used if Features.Selection
 
   /// The window whose context owns the graphics resources.
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
-  /// What the last frame refused, and what it ignored: the same is not said again.
-  std::string Refused;
-  std::string Ignored;
-  /// Why it was drawn in another way than asked for.
-  std::string Fallback;
-
-  /// Whether a message that is repeated each frame is another one than in the last frame.
-  static bool IsNews(std::string& last, const std::string& message);
+  /// What was said of the last frame: what it refused, what it ignored, and why it was drawn in
+  /// another way than asked for. The same is not said again.
+  std::array<std::string, 3> Said;
 
   /// Deletes the graphics resources in the context of the window that owns them; the current
   /// context stays the same.
@@ -85,19 +80,24 @@ struct vtkTextureSliceParts
   void Use(vtkOpenGLRenderWindow* window);
 
   /// Brings the textures of the volume and of the functions up to date.
-  /// @param second of two-dimensional functions; or nullptr
-  /// @return false with one line in @a error
-  bool UpdateVolume(bool cellData, vtkDataArray* second, std::string& error);
-  /// Draws the slices into the target. @return false with one line in @a error
-  bool Draw(std::string& error);
+  /// @return in one line why they cannot be, or nothing
+  std::string UpdateVolume();
+  /// Draws the slices into the target. @return in one line why it cannot, or nothing
+  std::string Draw();
   /// Draws with a shader that is ready, which gets everything that it reads.
   void DrawWith(vtkShaderProgram* program, const std::function<void()>& draw);
 
 private:
   /// Brings the integrals of the table up to date, for slabs as thick as the planes are distant.
   void UpdateIntegrals();
-  /// The textures that the features need, and the names of their samplers.
-  std::vector<std::pair<const char*, vtkTextureObject*>> FindTextures();
+  /// A texture, the name of its sampler, and whether the features need it.
+  struct Sampler
+  {
+    bool Needed;
+    const char* Name;
+    vtkTextureObject* Texture;
+  };
+  std::vector<Sampler> FindSamplers();
   void SetUniforms(vtkShaderProgram* program);
 };
 

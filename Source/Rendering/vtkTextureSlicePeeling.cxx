@@ -35,16 +35,10 @@ vtkTextureSlicePeeling::Stage FindStage(const std::string& declared)
 {
   const auto declares = [&declared](const char* name)
   { return declared.find(name) != std::string::npos; };
-  if (declares("depthRangeTex"))
-  {
-    return vtkTextureSlicePeeling::Rest;
-  }
-  if (declares("outerDepthTex") && declares("innerDepthTex"))
-  {
-    return declares("lastFrontColorTex") ? vtkTextureSlicePeeling::Between
+  return declares("depthRangeTex")       ? vtkTextureSlicePeeling::Rest
+         : !declares("innerDepthTex")    ? vtkTextureSlicePeeling::None
+         : declares("lastFrontColorTex") ? vtkTextureSlicePeeling::Between
                                          : vtkTextureSlicePeeling::Outside;
-  }
-  return vtkTextureSlicePeeling::None;
 }
 
 /// VTK's pass cannot read the opaque geometry's depth from several samples a pixel, and takes all

@@ -14,12 +14,11 @@ class vtkVolume;
  * VTK's dual depth peeling draws a volume several times a frame: first what lies outside of all
  * translucent geometry, then what lies between two peels of it. Each time it asks for two pictures,
  * one of what is in front of the geometry that is not peeled yet and one of what is behind it. Its
- * textures tell between which depths a pixel's part of the volume lies (TextureSlicePeelFS).
+ * textures tell between which depths a pixel's part of the volume lies (TextureSliceRayFS).
  */
 class vtkTextureSlicePeeling
 {
 public:
-  /// The values are those of TextureSlicePeelFS.
   enum Stage
   {
     None,    ///< the volume is not peeled
@@ -28,10 +27,8 @@ public:
     Rest     ///< all that is left when there are no peels any more
   };
 
-  /**
-   * Asks the render passes that draw the volume what they want.
-   * @return one line that says why they cannot have it; nullptr if they can
-   */
+  /// Asks the render passes that draw the volume what they want.
+  /// @return one line that says why they cannot have it; nullptr if they can
   const char* Update(vtkRenderer* renderer, vtkAbstractMapper* mapper, vtkVolume* volume);
   Stage GetStage() const { return this->Asked; }
 
@@ -40,7 +37,6 @@ public:
   /// Chooses the picture that is drawn next.
   void SetPicture(int picture) { this->Picture = picture; }
 
-  /// Sets what TextureSlicePeelFS reads.
   void SetUniforms(vtkShaderProgram* program) const;
   /// How a picture joins the textures of the pass.
   void SetBlending(vtkOpenGLState* state) const;

@@ -3,6 +3,7 @@
 
 #include "vtkColorTransferFunction.h"
 #include "vtkContourValues.h"
+#include "vtkDataArray.h"
 #include "vtkMath.h"
 #include "vtkOpenGLTextureSliceVolumeMapper.h"
 #include "vtkPiecewiseFunction.h"
@@ -11,7 +12,6 @@
 #include "vtkTextureSlicePeeling.h"
 #include "vtkVersionMacros.h"
 #include "vtkVolumeMapper.h"
-#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <initializer_list>
@@ -24,12 +24,6 @@ namespace
 /// Highlights where the eye sees the light mirrored (Phong), as VTK draws them from 9.2 on, and not
 /// where the surface faces half-way between light and eye (Blinn).
 constexpr bool MirroredHighlights = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0);
-
-/// Where a ray ends, because what is behind adds less than a quarter of one of 255.
-constexpr const char* Opaque = "(1023.0 / 1024.0)";
-/// What each ray has, however short its way.
-constexpr const char* LeastSamples = "2.0";
-constexpr const char* LeastSlabs = "4.0";
 
 /// What a table of so many rows is in the shader.
 const char* SamplerOf(int rows)
@@ -108,6 +102,16 @@ std::vector<double> GetValues(vtkContourValues* contours)
 /// The scalar that is full red, green or blue where scalars are colours: VTK takes only bytes.
 constexpr double FullColor = 255.0;
 
+/// Where scalars lie in the ranges of the components; 0 beyond the last one.
+std::array<float, 4> NormalizeAll(
+  double scalar, const std::vector<vtkTextureSliceComponent>& components)
+{
+  std::array<float, 4> values{};
+  std::transform(components.begin(), components.end(), values.begin(),
+    [scalar](const vtkTextureSliceComponent& component) { return Normalized(scalar, component); });
+  return values;
+}
+
 /// The first of these texts whose condition holds; nullptr if none does.
 const char* FindFirst(std::initializer_list<std::pair<bool, const char*>> texts)
 {
@@ -170,17 +174,18 @@ std::string vtkTextureSliceFeatures::GetDefines() const
   }
   define("TABLE", SamplerOf(this->CountRows()));
   define("INTEGRAL_TABLE", SamplerOf(this->CountFunctions()));
-  define("OPAQUE", Opaque);
-  define("LEAST_SLICES", this->Slabs ? LeastSlabs : LeastSamples);
   return defines;
 }
 
 const char* vtkTextureSliceRequest::FindUnsupported() const
 {
-  const char* refused = FindFirst({{this->BlendMode < vtkVolumeMapper::COMPOSITE_BLEND ||
-                                       this->BlendMode > vtkVolumeMapper::SLICE_BLEND,
-                                     "the blend mode must be composite, maximum, minimum, average, "
-                                     "additive, isosurface or slice"},
+  const char* refused = FindFirst({{this->Mapper->GetInputCount() > 1,
+                                     "several volumes in one mapper are not supported: give each a "
+                                     "mapper of its own"},
+    {this->BlendMode < vtkVolumeMapper::COMPOSITE_BLEND ||
+        this->BlendMode > vtkVolumeMapper::SLICE_BLEND,
+      "the blend mode must be composite, maximum, minimum, average, "
+      "additive, isosurface or slice"},
     {this->Components > 4, "the scalars must have 1 to 4 components"}});
   if (refused != nullptr || this->Property == nullptr)
   {
@@ -188,7 +193,8 @@ const char* vtkTextureSliceRequest::FindUnsupported() const
   }
   const bool has2D = this->Has2D();
   const bool dependent = this->Components > 0 && !this->IsIndependent();
-  const int second = has2D && this->Components > 0 ? this->SecondArray : 0;
+  const bool namesSecond = has2D && this->Components > 0 && this->NamesSecondArray;
+  const int second = this->ReadsSecondArray() ? this->SecondArray->GetNumberOfComponents() : 0;
   return FindFirst({{this->BlendMode == vtkVolumeMapper::SLICE_BLEND &&
                         this->GetSlicePlane() == nullptr,
                       "slice blending needs a vtkPlane with a normal: call SetSliceFunction on the "
@@ -196,10 +202,10 @@ const char* vtkTextureSliceRequest::FindUnsupported() const
     {has2D && this->BlendMode != vtkVolumeMapper::COMPOSITE_BLEND,
       "two-dimensional transfer functions are supported in the composite blend mode alone: use it "
       "or TF_1D"},
-    {second < 0,
+    {namesSecond && this->SecondArray == nullptr,
       "the volume has no array of the name that SetTransfer2DYAxisArray was given, beside its "
       "scalars: name another one, or call SetTransfer2DYAxisArray with nullptr"},
-    {second > 4 || (second > 0 && !dependent && second < this->Components),
+    {namesSecond && (second > 4 || (!dependent && second < this->Components)),
       "the second array of two-dimensional transfer functions must have a component for each set "
       "of functions, and 4 at most: name another one, or call SetTransfer2DYAxisArray with "
       "nullptr"},
@@ -215,25 +221,6 @@ const char* vtkTextureSliceRequest::FindUnsupported() const
         (this->Components > 2 || (this->Components == 2 && !dependent)),
       "isosurfaces are supported for one component and for two dependent ones (colour, surface) "
       "alone: choose one component, or call IndependentComponentsOff"}});
-}
-
-const char* vtkTextureSliceRequest::FindUnsupportedRange(
-  const std::vector<vtkTextureSliceComponent>& components) const
-{
-  // The picture holds one number of samples for all components.
-  const bool counted = std::all_of(components.begin(), components.end(),
-    [this](const vtkTextureSliceComponent& component)
-    {
-      const double* range = this->Mapper->GetAverageIPScalarRange();
-      return range[0] <= component.Range[0] && component.Range[1] <= range[1];
-    });
-  if (this->BlendMode == vtkVolumeMapper::AVERAGE_INTENSITY_BLEND && components.size() > 1 &&
-      this->IsIndependent() && !counted)
-  {
-    return "an average over part of the scalars' range is supported for one component alone: widen "
-           "AverageIPScalarRange";
-  }
-  return nullptr;
 }
 
 std::vector<double> vtkTextureSliceRequest::GetIsoValues() const
@@ -264,26 +251,6 @@ vtkPlane* vtkTextureSliceRequest::GetSlicePlane() const
   return plane != nullptr && vtkMath::Norm(plane->GetNormal()) > 0.0 ? plane : nullptr;
 }
 
-bool vtkTextureSliceRequest::IsEmpty() const
-{
-  return this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND && this->GetIsoValues().empty();
-}
-
-bool vtkTextureSliceRequest::IsNearest() const
-{
-  return this->Property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
-}
-
-bool vtkTextureSliceRequest::IsIndependent() const
-{
-  return this->Property->GetIndependentComponents() != 0;
-}
-
-bool vtkTextureSliceRequest::Has2D() const
-{
-  return this->Property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D;
-}
-
 int vtkTextureSliceRequest::CountLabels() const
 {
   // Labels choose the colour of a sample; projections show none.
@@ -306,11 +273,6 @@ bool vtkTextureSliceRequest::IntegratesSlabs() const
   return this->Mapper->GetPreIntegration() && this->GetContours().empty() &&
          this->BlendMode == vtkVolumeMapper::COMPOSITE_BLEND && !this->Has2D() &&
          !this->IsNearest();
-}
-
-bool vtkTextureSliceRequest::IsShaded() const
-{
-  return this->ShowsPlaces() && this->Property->GetShade(0) != 0;
 }
 
 bool vtkTextureSliceRequest::HasGradientOpacity() const
@@ -341,7 +303,7 @@ vtkTextureSliceFeatures vtkTextureSliceRequest::GetFeatures() const
   features.SmoothGradient = this->Mapper->GetSmoothGradient();
   features.ClippedScalars = this->Property->GetUseClippedVoxelIntensity() != 0;
   features.Table2D = this->Has2D();
-  features.SecondArray = this->ReadsSecondArray() ? this->SecondArray : 0;
+  features.SecondArray = this->ReadsSecondArray() ? this->SecondArray->GetNumberOfComponents() : 0;
   features.BinaryMask = this->HasMask(vtkGPUVolumeRayCastMapper::BinaryMaskType);
   features.Labels = this->CountLabels();
   features.Slabs = this->IntegratesSlabs();
@@ -422,11 +384,6 @@ std::vector<vtkImageData*> vtkTextureSliceRequest::MakeTables2D() const
   return tables;
 }
 
-double vtkTextureSliceRequest::GetUnitDistance(int component) const
-{
-  return this->Property->GetScalarOpacityUnitDistance(this->GetFunctions(component));
-}
-
 double vtkTextureSliceRequest::GetWeight(int component) const
 {
   return this->IsIndependent() && this->Components > 1
@@ -462,8 +419,8 @@ std::vector<float> vtkTextureSliceRequest::FindIsoValues(
   return Normalize(this->GetIsoValues(), components.back());
 }
 
-void vtkTextureSliceRequest::SetUniforms(
-  const std::vector<vtkTextureSliceComponent>& components, vtkShaderProgram* program) const
+void vtkTextureSliceRequest::SetUniforms(const std::vector<vtkTextureSliceComponent>& components,
+  const std::vector<vtkTextureSliceComponent>& second, vtkShaderProgram* program) const
 {
   std::vector<vtkTextureSliceComponent> targets = components;
   if (this->Components == 4 && !this->IsIndependent())
@@ -474,22 +431,13 @@ void vtkTextureSliceRequest::SetUniforms(
       });
   }
   SetScales(targets, "scalarScale", "scalarBias", program);
-  std::array<float, 4> clipped{};
-  std::transform(targets.begin(), targets.end(), clipped.begin(),
-    [this](const vtkTextureSliceComponent& target)
-    { return Normalized(this->Property->GetClippedVoxelIntensity(), target); });
-  program->SetUniform4f("clippedScalars", clipped.data());
+  SetScales(second, "secondScale", "secondBias", program);
+  program->SetUniform4f(
+    "clippedScalars", NormalizeAll(this->Property->GetClippedVoxelIntensity(), targets).data());
   SetValues(program, "isoValues", this->FindIsoValues(components));
   this->SetMaterials(program);
   SetValues(program, "contours", Normalize(this->GetContours(), components.front()));
   const double* range = this->Mapper->GetAverageIPScalarRange();
-  const std::array<float, 2> averageRange{
-    Normalized(range[0], components[0]), Normalized(range[1], components[0])};
-  program->SetUniform2f("averageRange", averageRange.data());
-}
-
-void vtkTextureSliceRequest::SetSecondArray(
-  const std::vector<vtkTextureSliceComponent>& components, vtkShaderProgram* program)
-{
-  SetScales(components, "secondScale", "secondBias", program);
+  program->SetUniform4f("averageFrom", NormalizeAll(range[0], components).data());
+  program->SetUniform4f("averageTo", NormalizeAll(range[1], components).data());
 }

@@ -6,16 +6,16 @@
 #include "vtkTextureSliceTables.h"
 #include "vtkTextureSliceTexture.h"
 #include "vtkType.h"
+#include "vtkVolumeProperty.h"
 
-#include <array>
 #include <string>
 #include <vector>
 
+class vtkDataArray;
 class vtkImageData;
 class vtkOpenGLTextureSliceVolumeMapper;
 class vtkPlane;
 class vtkShaderProgram;
-class vtkVolumeProperty;
 
 /// Each combination is a shader program of its own, which compiles only what it needs.
 struct vtkTextureSliceFeatures
@@ -77,15 +77,14 @@ struct vtkTextureSliceRequest
   int BlendMode = 0;  ///< vtkVolumeMapper::BlendModes
   int Components = 0; ///< 0: not known yet, before the source has run
   int ScalarType = VTK_FLOAT;
-  /// Components of the array that two-dimensional functions have in place of the gradient
-  /// magnitude. 0: none is named; -1: the volume does not have it.
-  int SecondArray = 0;
+  /// Whether two-dimensional functions name an array in place of the gradient magnitude, and that
+  /// array; nullptr: the volume does not have it.
+  bool NamesSecondArray = false;
+  vtkDataArray* SecondArray = nullptr;
 
   /// One line that says what cannot be drawn and what could, nullptr if everything can. The
   /// property may be nullptr. Nothing is said of components that are not known.
   const char* FindUnsupported() const;
-  /// The same for what only the scalars' ranges tell.
-  const char* FindUnsupportedRange(const std::vector<vtkTextureSliceComponent>& components) const;
   /// The contours of the first component at which rays begin (UseDepthPass); none: where they
   /// enter the volume.
   std::vector<double> GetContours() const;
@@ -95,43 +94,41 @@ struct vtkTextureSliceRequest
   std::vector<float> FindIsoValues(const std::vector<vtkTextureSliceComponent>& components) const;
   /// The plane that slice blending shows; nullptr in other blend modes.
   vtkPlane* GetSlicePlane() const;
-  /// Whether nothing is to be seen: isosurfaces without values.
-  bool IsEmpty() const;
-  /// Whether scalars are not interpolated.
-  bool IsNearest() const;
+  bool IsNearest() const
+  {
+    return this->Property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
+  }
   /// Whether each component has its own functions.
-  bool IsIndependent() const;
+  bool IsIndependent() const { return this->Property->GetIndependentComponents() != 0; }
   /// Whether the blend mode shows places, not projected scalars.
   bool ShowsPlaces() const;
   /// Whether samples are lit: only where places are shown.
-  bool IsShaded() const;
+  bool IsShaded() const { return this->ShowsPlaces() && this->Property->GetShade(0) != 0; }
   /// What these ask of the shaders; what the frame and the texture add is left out.
   vtkTextureSliceFeatures GetFeatures() const;
-  /// For the transfer table; see vtkTextureSliceFeatures::CountRows.
   std::vector<vtkTextureSliceRow> MakeRows(
     const std::vector<vtkTextureSliceComponent>& components) const;
   /// One for each set of functions.
   std::vector<vtkImageData*> MakeTables2D() const;
-  /// Whether two-dimensional functions read a second array.
-  bool ReadsSecondArray() const { return this->Has2D() && this->SecondArray > 0; }
+  bool ReadsSecondArray() const { return this->Has2D() && this->SecondArray != nullptr; }
 
   /// The functions of a component: its own, or the first ones.
   int GetFunctions(int component) const { return this->IsIndependent() ? component : 0; }
   /// The data length that a component's opacity stands for.
-  double GetUnitDistance(int component) const;
+  double GetUnitDistance(int component) const
+  {
+    return this->Property->GetScalarOpacityUnitDistance(this->GetFunctions(component));
+  }
   double GetWeight(int component) const;
 
   /// Sets what follows from the request and the scalars: how texels become 0 to 1, average range,
   /// iso-values, and how components are coloured.
-  void SetUniforms(
-    const std::vector<vtkTextureSliceComponent>& components, vtkShaderProgram* program) const;
-  /// The same for the components of the second array.
-  static void SetSecondArray(
-    const std::vector<vtkTextureSliceComponent>& components, vtkShaderProgram* program);
+  /// @param second components of the second array
+  void SetUniforms(const std::vector<vtkTextureSliceComponent>& components,
+    const std::vector<vtkTextureSliceComponent>& second, vtkShaderProgram* program) const;
 
 private:
   void SetMaterials(vtkShaderProgram* program) const;
-  /// Whether there is a mask of that type.
   bool HasMask(int type) const;
   /// Whether slabs are integrated over: where samples are blended by one-dimensional functions of
   /// scalars that are interpolated.
@@ -139,7 +136,10 @@ private:
   /// Whether a gradient opacity is other than 1 somewhere: VTK's fixed-point ray caster gives
   /// properties one that is not.
   bool HasGradientOpacity() const;
-  bool Has2D() const;
+  bool Has2D() const
+  {
+    return this->Property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D;
+  }
   int CountLabels() const;
   /// Label 0: the functions of a set.
   vtkTextureSliceRow MakeRow(int functions, int label, const vtkTextureSliceComponent& color,

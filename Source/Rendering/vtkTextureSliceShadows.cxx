@@ -102,7 +102,7 @@ std::vector<std::vector<Function>> MakeFunctions(const Source& source, double de
     // One function for each component, or that of the opacity.
     functions.back().push_back(make(i, count > 1 ? i : components.size() - 1, 1.0));
   }
-  const auto weight = static_cast<double>(source.LabelWeight);
+  const auto weight = static_cast<double>(source.Request.Mapper->GetMaskBlendFactor());
   for (int label = 1; label <= features.Labels; ++label)
   {
     functions.push_back(
@@ -111,28 +111,18 @@ std::vector<std::vector<Function>> MakeFunctions(const Source& source, double de
   return functions;
 }
 
-/// The opacity of a surface.
-double FindOpacity(const Source& source, double value)
-{
-  const std::vector<float>& entries = source.Table.GetOpacities(0);
-  const std::array<double, 2>& range = source.Texture.GetComponents().back().Range;
-  const double width = range[1] > range[0] ? range[1] - range[0] : 1.0;
-  const double entry =
-    std::clamp((value - range[0]) / width, 0.0, 1.0) * static_cast<double>(entries.size() - 1);
-  const auto low = static_cast<std::size_t>(entry);
-  const std::size_t high = std::min(low + 1, entries.size() - 1);
-  const double part = entry - static_cast<double>(low);
-  return (1.0 - part) * static_cast<double>(entries[low]) +
-         part * static_cast<double>(entries[high]);
-}
-
 /// The isosurfaces as light crosses them; none in other blend modes.
 std::vector<vtkTextureSliceLightCells::Surface> MakeSurfaces(const Source& source, double density)
 {
   std::vector<vtkTextureSliceLightCells::Surface> surfaces;
+  const std::vector<float> opacities = source.Table.GetOpacities(0);
+  const auto last = static_cast<double>(opacities.size() - 1);
+  const std::array<double, 2>& range = source.Texture.GetComponents().back().Range;
+  const double width = range[1] > range[0] ? range[1] - range[0] : 1.0;
   for (const double value : source.Request.GetIsoValues())
   {
-    const double opacity = FindOpacity(source, value);
+    const double entry = std::clamp((value - range[0]) / width, 0.0, 1.0) * last;
+    const auto opacity = static_cast<double>(opacities[static_cast<std::size_t>(entry + 0.5)]);
     const double depth = opacity < 1.0 ? -std::log(1.0 - opacity) : MostDepthOfASurface / density;
     surfaces.push_back({static_cast<float>(value),
       density > 0.0 ? static_cast<float>(std::min(depth * density, MostDepthOfASurface)) : 0.0f});
@@ -181,8 +171,8 @@ void vtkTextureSliceShadows::Update(const Source& source, bool interactive)
   {
     return;
   }
-  Key key{{source.Texture.GetBricks().GetBuildTime(),
-            features.HasMask() ? source.MaskValues->GetMTime() : 0},
+  Key key{
+    {source.Texture.GetBricks().BuildTime, features.HasMask() ? source.MaskValues->GetMTime() : 0},
     MakeCells(source, mapper->GetShadowDensity()), FindLights(source)};
   // The shader weakens by surfaces themselves, too: not without a light, or a sky.
   this->Strength = {key.From.Shadow ? static_cast<float>(mapper->GetShadowStrength()) : 0.0f,
@@ -197,14 +187,9 @@ void vtkTextureSliceShadows::Update(const Source& source, bool interactive)
     this->MakeImage(source.Image, source.Frame.CellData);
     this->Texture->ReleaseGraphicsResources(source.Window);
   }
-  // Surfaces and shading weigh shadow and occlusion apart.
-  const bool apart = HasSurfaces(features) || source.Request.IsShaded();
-  const std::array<float, 2> joined = apart ? std::array<float, 2>{} : this->Strength;
-  const auto exposure = static_cast<float>(mapper->GetExposure());
-  if (this->Texture->GetHandle() == 0 || joined != this->Joined || exposure != this->Exposure)
+  this->Exposure = static_cast<float>(mapper->GetExposure());
+  if (this->Texture->GetHandle() == 0)
   {
-    this->Joined = joined;
-    this->Exposure = exposure;
     this->Upload(source.Window);
   }
 }
@@ -212,31 +197,11 @@ void vtkTextureSliceShadows::Update(const Source& source, bool interactive)
 void vtkTextureSliceShadows::Upload(vtkOpenGLRenderWindow* window)
 {
   const auto& size = this->Volume.GetGrid().Size;
-  const bool apart = this->Joined == std::array<float, 2>{};
-  std::vector<float> joined = apart ? std::vector<float>() : this->Join();
-  this->Texture->ReleaseGraphicsResources(window);
   this->Texture->SetContext(window);
-  this->Texture->ResetFormatAndType();
-  // A software renderer converts texels of 16 bits whenever it reads them.
-  this->Texture->SetInternalFormat(apart ? GL_RG16 : GL_R32F);
   vtkTextureSliceSetSampling(this->Texture, false);
   this->Texture->Create3DFromRaw(static_cast<unsigned int>(size[0]),
-    static_cast<unsigned int>(size[1]), static_cast<unsigned int>(size[2]), apart ? 2 : 1,
-    VTK_FLOAT, apart ? this->Volume.GetLight()->GetPointer(0) : joined.data());
-}
-
-/// What shadow and occlusion leave of a colour, for each cell (Formulas L2).
-std::vector<float> vtkTextureSliceShadows::Join() const
-{
-  const float* light = this->Volume.GetLight()->GetPointer(0);
-  std::vector<float> left(this->Volume.GetGrid().CountCells());
-  for (float& of : left)
-  {
-    const float shadow = 1.0f - this->Joined[0] * (1.0f - *light++);
-    const float occlusion = 1.0f - this->Joined[1] * (1.0f - *light++);
-    of = std::min(1.0f, this->Exposure * shadow * occlusion);
-  }
-  return left;
+    static_cast<unsigned int>(size[1]), static_cast<unsigned int>(size[2]), 2, VTK_FLOAT,
+    this->Volume.GetLight()->GetPointer(0));
 }
 
 void vtkTextureSliceShadows::MakeImage(vtkImageData* volume, bool cellData)
@@ -267,6 +232,7 @@ void vtkTextureSliceShadows::SetUniforms(
 {
   program->SetUniform3f("lightTextureScale", this->Volume.GetGrid().GetTextureScale().data());
   program->SetUniform2f("lightStrength", this->Strength.data());
+  program->SetUniformf("exposure", this->Exposure);
   if (!this->Last.Cells.Surfaces.empty())
   {
     this->SetSurfaces(program, uniforms);

@@ -9,7 +9,6 @@
 #include "vtkType.h"
 
 #include <array>
-#include <vector>
 
 class vtkImageData;
 class vtkOpenGLRenderWindow;
@@ -19,7 +18,7 @@ struct vtkTextureSliceParts;
 /**
  * Keeps a vtkTextureSliceLightVolume up to date with scalars, transfer functions, mask, cuts and
  * directions of light, and in texture memory. A change of the camera or of a strength above 0
- * leaves the volume as it is; without shading, that of a strength changes the texture.
+ * leaves the volume as it is.
  */
 class vtkTextureSliceShadows
 {
@@ -48,7 +47,6 @@ private:
 
   void SetSurfaces(vtkShaderProgram* program, const vtkTextureSliceParts& uniforms) const;
   void Upload(vtkOpenGLRenderWindow* window);
-  std::vector<float> Join() const;
   void MakeImage(vtkImageData* volume, bool cellData);
 
   bool Used = false;
@@ -56,10 +54,7 @@ private:
   Key Last;
   vtkTextureSliceLightVolume Volume;
   std::array<float, 2> Strength{};
-  /// The strengths with which the texture has shadow and occlusion in one channel, for colours
-  /// without shading; (0, 0): it has them in two, as they are.
-  std::array<float, 2> Joined{};
-  float Exposure = 1.0f; ///< that the texture has
+  float Exposure = 1.0f;
   vtkNew<vtkTextureObject> Texture;
   vtkNew<vtkImageData> Image;
 };

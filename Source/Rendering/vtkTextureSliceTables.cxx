@@ -10,11 +10,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureSliceOpenGL.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <iterator>
-#include <vector>
 
 namespace
 {
@@ -62,14 +58,37 @@ std::size_t ChooseWidth(vtkOpenGLRenderWindow* window, const std::vector<vtkText
   return static_cast<std::size_t>(width);
 }
 
-/// The function, or where its own range clamps the scalar a copy that holds its last values.
-template <typename Function>
-vtkSmartPointer<Function> Clamp(Function* function, bool native)
+/// As in VTK's ray caster, functions without points are ramps: black to white, clear to half
+/// opaque.
+void AddRamp(vtkColorTransferFunction* function, const std::array<double, 2>& range)
 {
-  auto clamped = vtkSmartPointer<Function>::New();
-  clamped->DeepCopy(function);
-  clamped->ClampingOn();
-  return native ? clamped : vtkSmartPointer<Function>(function);
+  function->AddRGBPoint(range[0], 0.0, 0.0, 0.0);
+  function->AddRGBPoint(range[1], 1.0, 1.0, 1.0);
+}
+
+void AddRamp(vtkPiecewiseFunction* function, const std::array<double, 2>& range)
+{
+  function->AddPoint(range[0], 0.0);
+  function->AddPoint(range[1], 0.5);
+}
+
+/// The function, or where it has no points or its own range clamps the scalar, a copy that has
+/// points and holds its last values.
+template <typename Function>
+vtkSmartPointer<Function> Complete(Function* function, const vtkTextureSliceDomain& domain)
+{
+  if (function->GetSize() > 0 && !domain.Native)
+  {
+    return function;
+  }
+  auto copy = vtkSmartPointer<Function>::New();
+  copy->DeepCopy(function);
+  copy->ClampingOn();
+  if (function->GetSize() == 0)
+  {
+    AddRamp(copy, EntryRange(domain));
+  }
+  return copy;
 }
 
 void FillColor(const vtkTextureSliceRow& row, int width, float* entries)
@@ -79,11 +98,11 @@ void FillColor(const vtkTextureSliceRow& row, int width, float* entries)
   std::vector<float> colors(channels * static_cast<std::size_t>(width));
   if (row.Gray != nullptr)
   {
-    Clamp(row.Gray, row.ColorDomain.Native)->GetTable(low, high, width, colors.data());
+    Complete(row.Gray, row.ColorDomain)->GetTable(low, high, width, colors.data());
   }
   else
   {
-    Clamp(row.Color, row.ColorDomain.Native)->GetTable(low, high, width, colors.data());
+    Complete(row.Color, row.ColorDomain)->GetTable(low, high, width, colors.data());
   }
   for (std::size_t i = 0; i < 3 * static_cast<std::size_t>(width); ++i)
   {
@@ -94,29 +113,10 @@ void FillColor(const vtkTextureSliceRow& row, int width, float* entries)
 void FillOpacity(const vtkTextureSliceRow& row, int width, float* entries)
 {
   const auto [low, high] = EntryRange(row.OpacityDomain);
-  Clamp(row.Opacity, row.OpacityDomain.Native)->GetTable(low, high, width, entries + 3, 4);
+  Complete(row.Opacity, row.OpacityDomain)->GetTable(low, high, width, entries + 3, 4);
   for (int i = 0; i < width; ++i)
   {
     entries[4 * i + 3] = std::clamp(entries[4 * i + 3], 0.0f, 1.0f);
-  }
-}
-
-/// As in VTK's ray caster, functions without points are ramps: black to white, clear to half
-/// opaque.
-void FillRamps(const vtkTextureSliceRow& row, int width, float* entries)
-{
-  constexpr float mostOpaque = 0.5f;
-  for (int i = 0; i < width; ++i)
-  {
-    const float ramp = static_cast<float>(i) / static_cast<float>(width - 1);
-    if (row.Color != nullptr && row.Color->GetSize() == 0)
-    {
-      std::fill_n(entries + 4 * i, 3, ramp);
-    }
-    if (row.Opacity != nullptr && row.Opacity->GetSize() == 0)
-    {
-      entries[4 * i + 3] = mostOpaque * ramp;
-    }
   }
 }
 
@@ -131,7 +131,6 @@ void FillRow(const vtkTextureSliceRow& row, int width, float* entries)
   {
     FillOpacity(row, width, entries);
   }
-  FillRamps(row, width, entries);
 }
 
 /// The optical depth t of an opacity a: a ray keeps 2^-t = 1 - a of its light (Formulas R1), so
@@ -183,7 +182,6 @@ bool HaveOneSize(const std::vector<vtkImageData*>& images, int limit)
 
 using Entry = std::array<double, 4>;
 
-/// Colour and depth, the depth limited.
 Entry Limit(const float* entry, double mostDepth)
 {
   return {static_cast<double>(entry[0]), static_cast<double>(entry[1]),
@@ -201,20 +199,18 @@ Entry Weigh(const Entry& from, const Entry& to, double way)
 
 } // namespace
 
-vtkTextureSliceTable::Key vtkTextureSliceTable::MakeKey(const vtkTextureSliceRow& row)
-{
-  const auto timeOf = [](vtkObject* function)
-  { return function != nullptr ? function->GetMTime() : vtkMTimeType{0}; };
-  return {{row.Color, row.Gray, row.Opacity},
-    {timeOf(row.Color), timeOf(row.Gray), timeOf(row.Opacity)}, row.ColorDomain.Range,
-    row.ColorDomain.Native, row.OpacityDomain.Range, row.OpacityDomain.Native, row.OpticalDepth};
-}
-
 void vtkTextureSliceTable::Update(
   vtkOpenGLRenderWindow* window, const std::vector<vtkTextureSliceRow>& rows, bool nearest)
 {
   std::vector<Key> keys;
-  std::transform(rows.begin(), rows.end(), std::back_inserter(keys), MakeKey);
+  const auto timeOf = [](vtkObject* function)
+  { return function != nullptr ? function->GetMTime() : vtkMTimeType{0}; };
+  for (const vtkTextureSliceRow& row : rows)
+  {
+    keys.emplace_back(row.Color, row.Gray, row.Opacity, timeOf(row.Color), timeOf(row.Gray),
+      timeOf(row.Opacity), row.ColorDomain.Range, row.ColorDomain.Native, row.OpacityDomain.Range,
+      row.OpacityDomain.Native, row.OpticalDepth);
+  }
   if (this->Texture->GetHandle() == 0 || this->Texture->GetContext() != window ||
       keys != this->Last)
   {
@@ -230,7 +226,6 @@ void vtkTextureSliceTable::Update(
 void vtkTextureSliceTable::Fill(const std::vector<vtkTextureSliceRow>& rows, std::size_t width)
 {
   this->Entries.resize(rows.size() * width * 4);
-  const std::vector<vtkTextureSliceVisibility> before = std::move(this->Visibilities);
   this->Visibilities.clear();
   for (std::size_t row = 0; row < rows.size(); ++row)
   {
@@ -240,10 +235,6 @@ void vtkTextureSliceTable::Fill(const std::vector<vtkTextureSliceRow>& rows, std
     ToOpticalDepths(rows[row], static_cast<int>(width), entries);
   }
   this->FillTime.Modified();
-  if (!(this->Visibilities == before))
-  {
-    this->VisibilityTime.Modified();
-  }
 }
 
 void vtkTextureSliceTable::FillOpacities(
@@ -288,22 +279,19 @@ void vtkTextureSliceTable::SetUniforms(vtkShaderProgram* program) const
   program->SetUniformf("tableBias", 0.5f * texel);
 }
 
-bool vtkTextureSliceTable2D::Update(vtkOpenGLRenderWindow* window,
-  const std::vector<vtkImageData*>& images, bool nearest, std::string& error)
+std::string vtkTextureSliceTable2D::Update(
+  vtkOpenGLRenderWindow* window, const std::vector<vtkImageData*>& images, bool nearest)
 {
   if (!std::all_of(images.begin(), images.end(), IsTable))
   {
-    error = "a two-dimensional transfer function must be a 2-D image of four floats: see "
-            "vtkVolumeProperty::SetTransferFunction2D";
-    return false;
+    return "a two-dimensional transfer function must be a 2-D image of four floats: see "
+           "vtkVolumeProperty::SetTransferFunction2D";
   }
   const int limit = vtkTextureObject::GetMaximumTextureSize(window);
   if (!HaveOneSize(images, limit))
   {
-    error =
-      "the two-dimensional transfer functions of all components must have one size, at most " +
-      std::to_string(limit) + " wide and together as high";
-    return false;
+    return "the two-dimensional transfer functions of all components must have one size, at most " +
+           std::to_string(limit) + " wide and together as high";
   }
   std::vector<std::pair<const void*, vtkMTimeType>> key;
   for (vtkImageData* image : images)
@@ -314,12 +302,11 @@ bool vtkTextureSliceTable2D::Update(vtkOpenGLRenderWindow* window,
   this->Texture->SetContext(window);
   if ((!current || key != this->Last) && !this->Upload(images))
   {
-    error = "OpenGL could not make a texture of the two-dimensional transfer functions";
-    return false;
+    return "OpenGL could not make a texture of the two-dimensional transfer functions";
   }
   this->Last = key;
   vtkTextureSliceSetSampling(this->Texture, nearest);
-  return true;
+  return "";
 }
 
 bool vtkTextureSliceTable2D::Upload(const std::vector<vtkImageData*>& images)

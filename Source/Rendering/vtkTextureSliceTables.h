@@ -32,7 +32,6 @@ class vtkShaderProgram;
 class vtkTextureSliceVisibility
 {
 public:
-  /// @param opacities one for each entry; those above 0 are visible.
   explicit vtkTextureSliceVisibility(const std::vector<float>& opacities)
   {
     for (const float opacity : opacities)
@@ -53,13 +52,7 @@ public:
                             this->VisibleBefore[static_cast<std::size_t>(first)];
   }
 
-  bool operator==(const vtkTextureSliceVisibility& other) const
-  {
-    return this->VisibleBefore == other.VisibleBefore;
-  }
-
 private:
-  /// Visible entries before each one; one more than there are entries.
   std::vector<std::size_t> VisibleBefore{0};
 };
 
@@ -71,7 +64,6 @@ struct vtkTextureSliceDomain
   bool Native = false;
 };
 
-/// The functions of one row.
 struct vtkTextureSliceRow
 {
   /// Colour: one of the two, or neither for white.
@@ -96,10 +88,7 @@ public:
   /// Brings rows of RGBA texels into a texture of one dimension (of a single row) or two.
   static void Upload(vtkTextureObject* texture, std::size_t rows, const std::vector<float>& texels);
 
-  /**
-   * Fills and uploads the table if the functions, the ranges or the window changed.
-   * @param nearest whether entries are not interpolated.
-   */
+  /// Uploads the rows if the functions, the ranges or the window changed.
   void Update(
     vtkOpenGLRenderWindow* window, const std::vector<vtkTextureSliceRow>& rows, bool nearest);
 
@@ -112,15 +101,12 @@ public:
   /// Opacities of a row over its domain, or optical depths of a unit distance for each factor of 2
   /// that it weakens what is behind (Formulas R1). Their number does not depend on colours.
   const std::vector<float>& GetOpacities(std::size_t row) const { return this->Opacities[row]; }
-  /// When the rows were filled last, and when they showed other scalars than before.
   vtkMTimeType GetFillTime() const { return this->FillTime.GetMTime(); }
-  vtkMTimeType GetVisibilityTime() const { return this->VisibilityTime.GetMTime(); }
   /// RGBA of the entries of a row as they are in the texture.
   const float* GetEntries(std::size_t row) const
   {
     return this->Entries.data() + row * this->GetWidth() * 4;
   }
-  /// Entries of a row.
   std::size_t GetWidth() const { return this->Entries.size() / (4 * this->Last.size()); }
   /// Sets tableScale and tableBias: the texture coordinate of a scalar that is s of the way through
   /// its domain (0 to 1) is s * scale + bias (Formulas R2).
@@ -128,9 +114,8 @@ public:
 
 private:
   /// What a row is made from; pointers are compared, never followed.
-  using Key = std::tuple<std::array<const void*, 3>, std::array<vtkMTimeType, 3>,
-    std::array<double, 2>, bool, std::array<double, 2>, bool, bool>;
-  static Key MakeKey(const vtkTextureSliceRow& row);
+  using Key = std::tuple<const void*, const void*, const void*, vtkMTimeType, vtkMTimeType,
+    vtkMTimeType, std::array<double, 2>, bool, std::array<double, 2>, bool, bool>;
   void Fill(const std::vector<vtkTextureSliceRow>& rows, std::size_t width);
   void FillOpacities(vtkOpenGLRenderWindow* window, std::vector<vtkTextureSliceRow> rows);
 
@@ -139,7 +124,6 @@ private:
   std::vector<std::vector<float>> Opacities;           ///< one for each row
   std::vector<vtkTextureSliceVisibility> Visibilities; ///< one for each row
   vtkTimeStamp FillTime;
-  vtkTimeStamp VisibilityTime;
   std::vector<Key> Last; ///< one for each row that the texture was made from
 };
 
@@ -151,16 +135,11 @@ private:
 class vtkTextureSliceTable2D
 {
 public:
-  /**
-   * Uploads the images if they or the window changed.
-   * @return false, with one line in @a error, if they cannot be used.
-   */
-  bool Update(vtkOpenGLRenderWindow* window, const std::vector<vtkImageData*>& images, bool nearest,
-    std::string& error);
+  /// Uploads the images if they or the window changed. @return why they cannot be used, or nothing
+  std::string Update(
+    vtkOpenGLRenderWindow* window, const std::vector<vtkImageData*>& images, bool nearest);
 
   vtkTextureObject* GetTexture() const { return this->Texture; }
-  /// Rows of one image.
-  int GetNumberOfRows() const { return this->Rows; }
   /// Entries of a row.
   int GetWidth() const { return this->Width; }
   /// Where an image's opacity is above 0 at some gradient magnitude, over the scalars as 0 to 1.
@@ -168,7 +147,6 @@ public:
   {
     return this->Visibilities[image];
   }
-  /// When the images were read last.
   vtkMTimeType GetFillTime() const { return this->FillTime.GetMTime(); }
 
 private:
@@ -198,11 +176,8 @@ private:
 class VTKNEXRADRENDERING_EXPORT vtkTextureSliceIntegralTable
 {
 public:
-  /**
-   * Fills and uploads the integrals if the table, the limit or the window changed.
-   * @param rows of @a table to integrate.
-   * @param mostDepth depths count as at most this: differences of large sums lose precision.
-   */
+  /// Uploads the integrals of some rows if the table, the limit or the window changed.
+  /// @param mostDepth depths count as at most this: differences of large sums lose precision.
   void Update(
     vtkOpenGLRenderWindow* window, const vtkTextureSliceTable& table, int rows, double mostDepth);
 
@@ -213,17 +188,11 @@ public:
   /// Entries of a row for functions of so many entries.
   static std::size_t ChooseWidth(std::size_t entries);
 
-  /**
-   * A limit for Update at which a slab of that many unit distances is still opaque: a power of two,
-   * so that it stays the same while the camera moves a little.
-   */
+  /// A limit for Update at which a slab of that many unit distances is still opaque: a power of
+  /// two, so that it stays the same while the camera moves a little.
   static double ChooseMostDepth(double unitsOfSlab);
 
-  /**
-   * Integrates one row.
-   * @param entries RGBA of @a width entries, alpha an optical depth.
-   * @param integrals ChooseWidth(width) entries.
-   */
+  /// Integrates one row of RGBA, alpha an optical depth, into ChooseWidth(width) entries.
   static void Integrate(
     const float* entries, std::size_t width, double mostDepth, float* integrals);
 

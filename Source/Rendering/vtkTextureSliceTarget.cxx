@@ -4,15 +4,16 @@
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkPointData.h"
 #include "vtkShaderProgram.h"
-#include "vtkTextureObject.h"
 #include "vtkTextureSliceFrame.h"
 #include "vtkTextureSliceOpenGL.h"
 #include "vtkTextureSliceParts.h"
 #include "vtkVolumeMapper.h"
 
+#include "TextureSliceBoxVS.h"
 #include "TextureSliceCompositeFS.h"
 
 #include <algorithm>
@@ -21,28 +22,8 @@
 namespace
 {
 
-/// OpenGL copies depth only between equal formats, so the target takes the window's.
-struct DepthFormat
-{
-  int Bits = 0;
-  bool Float = false;
-  bool Stencil = false;
-
-  int Key() const { return this->Bits * 4 + (this->Float ? 2 : 0) + (this->Stencil ? 1 : 0); }
-  int VTKFormat() const
-  {
-    if (this->Float)
-    {
-      return vtkTextureObject::Float32;
-    }
-    return this->Bits == 16
-             ? vtkTextureObject::Fixed16
-             : (this->Bits == 32 ? vtkTextureObject::Fixed32 : vtkTextureObject::Fixed24);
-  }
-};
-
-/// The depth format of the framebuffer that is drawn into.
-DepthFormat QueryDepthFormat()
+/// See vtkTextureSliceTarget::DepthFormat; of the framebuffer that is drawn into.
+std::array<int, 3> QueryDepthFormat()
 {
   GLint bound = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
@@ -56,22 +37,14 @@ DepthFormat QueryDepthFormat()
   };
   const auto exists = [&](GLenum attachment)
   { return query(attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE; };
-
-  DepthFormat format;
-  if (exists(depth))
+  if (!exists(depth))
   {
-    format.Bits = query(depth, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
-    // The type of a combined depth and stencil attachment is asked for at the depth attachment.
-    format.Float = query(depth, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT;
-    format.Stencil = exists(stencil) && query(stencil, GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE) > 0;
+    return {};
   }
-  return format;
-}
-
-/// Pixels of the picture for those of the window.
-int CountPixels(int pixels, double pixelSize)
-{
-  return static_cast<int>(std::max(1.0, std::ceil(pixels / pixelSize)));
+  // The type of a combined depth and stencil attachment is asked for at the depth attachment.
+  return {query(depth, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE),
+    query(depth, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT,
+    exists(stencil) && query(stencil, GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE) > 0};
 }
 
 std::array<int, 4> GetViewport(vtkOpenGLRenderWindow* window)
@@ -88,19 +61,11 @@ bool HasSize(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, int width
          texture->GetHeight() == static_cast<unsigned int>(height);
 }
 
-/// Makes a texture ready to be allocated anew.
 void Prepare(vtkTextureObject* texture, vtkOpenGLRenderWindow* window)
 {
   texture->SetContext(window);
   texture->ResetFormatAndType();
   vtkTextureSliceSetSampling(texture, true);
-}
-
-std::string MakeCompositeShader(const vtkTextureSliceFeatures& features)
-{
-  std::string shader = TextureSliceCompositeFS;
-  vtkShaderProgram::Substitute(shader, "//VTK::TextureSlice::Defines", features.GetDefines());
-  return shader;
 }
 
 vtkDataArray* Allocate(vtkImageData* image, const std::array<int, 2>& size, int type, int count)
@@ -157,33 +122,36 @@ void vtkTextureSliceResolution::Report(double seconds)
   this->FullTime = this->FullTime > 0.0 ? 0.5 * (this->FullTime + full) : full;
 }
 
-vtkTextureSliceTarget::vtkTextureSliceTarget() = default;
-vtkTextureSliceTarget::~vtkTextureSliceTarget() = default;
-
 std::array<int, 2> vtkTextureSliceTarget::GetSize(vtkOpenGLRenderWindow* window, double pixelSize)
 {
   const std::array<int, 4> viewport = GetViewport(window);
-  return {CountPixels(viewport[2], pixelSize), CountPixels(viewport[3], pixelSize)};
+  const auto count = [pixelSize](int pixels)
+  { return static_cast<int>(std::max(1.0, std::ceil(pixels / pixelSize))); };
+  return {count(viewport[2]), count(viewport[3])};
 }
 
-bool vtkTextureSliceTarget::CopyDepth(std::string& error)
+bool vtkTextureSliceTarget::CopyDepth()
 {
-  const DepthFormat format = QueryDepthFormat();
+  const std::array<int, 3> format = QueryDepthFormat();
+  const auto [bits, isFloat, hasStencil] = format;
   const auto [left, bottom, width, height] = this->Viewport;
-  if (!HasSize(this->Depth, this->Window, width, height) || this->DepthKey != format.Key())
+  if (!HasSize(this->Depth, this->Window, width, height) || this->DepthFormat != format)
   {
     // A framebuffer keeps textures of the old size, even where new ones have their names.
     this->DepthFramebuffer->ReleaseGraphicsResources(this->Window);
     Prepare(this->Depth, this->Window);
     const auto columns = static_cast<unsigned int>(width);
     const auto rows = static_cast<unsigned int>(height);
-    if (!(format.Stencil ? this->Depth->AllocateDepthStencil(columns, rows)
-                         : this->Depth->AllocateDepth(columns, rows, format.VTKFormat())))
+    const int ofVTK = isFloat      ? vtkTextureObject::Float32
+                      : bits == 16 ? vtkTextureObject::Fixed16
+                      : bits == 32 ? vtkTextureObject::Fixed32
+                                   : vtkTextureObject::Fixed24;
+    if (!(hasStencil ? this->Depth->AllocateDepthStencil(columns, rows)
+                     : this->Depth->AllocateDepth(columns, rows, ofVTK)))
     {
-      error = "OpenGL could not make a copy of the window's depth";
       return false;
     }
-    this->DepthKey = format.Key();
+    this->DepthFormat = format;
   }
   GLint source = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &source);
@@ -193,7 +161,7 @@ bool vtkTextureSliceTarget::CopyDepth(std::string& error)
   this->DepthFramebuffer->AddDepthAttachment(this->Depth);
   this->DepthFramebuffer->DeactivateDrawBuffers();
   state->vtkglDisable(GL_SCISSOR_TEST);
-  if (format.Bits == 0)
+  if (bits == 0)
   {
     state->vtkglDepthMask(GL_TRUE);
     state->vtkglClear(GL_DEPTH_BUFFER_BIT);
@@ -205,8 +173,7 @@ bool vtkTextureSliceTarget::CopyDepth(std::string& error)
   return true;
 }
 
-bool vtkTextureSliceTarget::MakePicture(
-  int width, int height, bool fullPrecision, std::string& error)
+bool vtkTextureSliceTarget::MakePicture(int width, int height, bool fullPrecision)
 {
   if (HasSize(this->Color, this->Window, width, height) && this->FullPrecision == fullPrecision)
   {
@@ -216,34 +183,31 @@ bool vtkTextureSliceTarget::MakePicture(
   Prepare(this->Color, this->Window);
   this->Color->SetInternalFormat(fullPrecision ? GL_RGBA32F : GL_RGBA16);
   this->FullPrecision = fullPrecision;
-  if (!this->Color->Allocate2D(
-        static_cast<unsigned int>(width), static_cast<unsigned int>(height), 4, VTK_FLOAT))
-  {
-    error = "OpenGL could not make a floating-point picture of " + std::to_string(width) + " x " +
-            std::to_string(height) + " pixels";
-    return false;
-  }
-  return true;
+  return this->Color->Allocate2D(
+    static_cast<unsigned int>(width), static_cast<unsigned int>(height), 4, VTK_FLOAT);
 }
 
-bool vtkTextureSliceTarget::Begin(vtkOpenGLRenderWindow* window, double pixelSize, bool copiesDepth,
-  bool fullPrecision, std::string& error)
+std::string vtkTextureSliceTarget::Begin(const vtkTextureSliceParts& parts)
 {
-  this->Window = window;
-  this->Viewport = GetViewport(window);
-  const auto [width, height] = GetSize(window, pixelSize);
-  if (!this->MakePicture(width, height, fullPrecision, error))
+  this->Window = parts.Window;
+  this->Viewport = GetViewport(this->Window);
+  const auto [width, height] = GetSize(this->Window, parts.PixelSize);
+  // Polygons round hundreds of samples, one after the other.
+  const bool fullPrecision =
+    parts.Features.Places || parts.Ways.GetDrawn() == vtkOpenGLTextureSliceVolumeMapper::POLYGONS;
+  if (!this->MakePicture(width, height, fullPrecision))
   {
-    return false;
+    return "OpenGL could not make a floating-point picture of " + std::to_string(width) + " x " +
+           std::to_string(height) + " pixels";
   }
-  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState* state = this->Window->GetState();
   state->PushFramebufferBindings();
-  if (copiesDepth && !this->CopyDepth(error))
+  if (parts.Features.NeedsDepth() && !this->CopyDepth())
   {
     state->PopFramebufferBindings();
-    return false;
+    return "OpenGL could not make a copy of the window's depth";
   }
-  this->Framebuffer->SetContext(window);
+  this->Framebuffer->SetContext(this->Window);
   this->Framebuffer->Bind();
   this->Framebuffer->AddColorAttachment(0, this->Color);
   this->Framebuffer->ActivateDrawBuffer(0);
@@ -251,16 +215,15 @@ bool vtkTextureSliceTarget::Begin(vtkOpenGLRenderWindow* window, double pixelSiz
   if (!vtkOpenGLFramebufferObject::GetFrameBufferStatus(
         vtkOpenGLFramebufferObject::GetDrawMode(), reason))
   {
-    error = std::string("OpenGL cannot draw into a floating-point picture: ") + reason;
     state->PopFramebufferBindings();
-    return false;
+    return std::string("OpenGL cannot draw into a floating-point picture: ") + reason;
   }
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglViewport(0, 0, width, height);
   state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglClear(GL_COLOR_BUFFER_BIT);
-  return true;
+  return "";
 }
 
 void vtkTextureSliceTarget::End()
@@ -270,7 +233,7 @@ void vtkTextureSliceTarget::End()
   state->vtkglViewport(this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3]);
 }
 
-void vtkTextureSliceTarget::Composite(vtkTextureSliceParts& parts, float scale, float bias)
+void vtkTextureSliceTarget::Composite(vtkTextureSliceParts& parts)
 {
   const vtkTextureSliceFeatures& features = parts.Features;
   vtkOpenGLState* state = this->Window->GetState();
@@ -278,8 +241,15 @@ void vtkTextureSliceTarget::Composite(vtkTextureSliceParts& parts, float scale, 
   state->vtkglBlendEquation(GL_FUNC_ADD);
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   state->SetEnumState(GL_BLEND, !features.Selection);
-  vtkShaderProgram* program = this->Box.Ready(
-    this->Window, features.GetDefines(), [&features] { return MakeCompositeShader(features); });
+  const std::string defines = features.GetDefines();
+  vtkShaderProgram* program = this->Box.Ready(this->Window, defines,
+    [&]() -> vtkSmartPointer<vtkShaderProgram>
+    {
+      std::string shader = TextureSliceCompositeFS;
+      vtkShaderProgram::Substitute(shader, "//VTK::TextureSlice::Defines", defines);
+      return this->Window->GetShaderCache()->ReadyShaderProgram(
+        TextureSliceBoxVS, shader.c_str(), "");
+    });
   if (features.Peel > 0)
   {
     parts.Peeling.SetBlending(state);
@@ -297,16 +267,18 @@ void vtkTextureSliceTarget::Composite(vtkTextureSliceParts& parts, float scale, 
     -static_cast<float>(this->Viewport[0]) / static_cast<float>(this->Viewport[2]),
     -static_cast<float>(this->Viewport[1]) / static_cast<float>(this->Viewport[3])};
   program->SetUniform4f("toPicture", toPicture.data());
-  program->SetUniformf("colorScale", scale);
-  program->SetUniformf("colorBias", bias);
+  const float finalWindow = parts.Request.Mapper->GetFinalColorWindow();
+  program->SetUniformf("colorScale", 1.0f / finalWindow);
+  program->SetUniformf(
+    "colorBias", 0.5f - parts.Request.Mapper->GetFinalColorLevel() / finalWindow);
   program->SetUniform3f("selectionColor", parts.SelectionColor.data());
-  this->Box.Draw(parts.Frame, parts.Seen);
+  this->Box.Draw(parts, program);
   this->Color->Deactivate();
 }
 
-void vtkTextureSliceTarget::ReleaseGraphicsResources(vtkWindow* window)
+void vtkTextureSliceTarget::ReleaseGraphicsResources(vtkOpenGLRenderWindow* window)
 {
-  this->Box.ReleaseGraphicsResources();
+  this->Box.ReleaseGraphicsResources(window);
   this->Framebuffer->ReleaseGraphicsResources(window);
   this->DepthFramebuffer->ReleaseGraphicsResources(window);
   this->Color->ReleaseGraphicsResources(window);
@@ -323,10 +295,15 @@ std::vector<float> vtkTextureSliceImages::Download(vtkTextureObject* picture)
   return pixels;
 }
 
-void vtkTextureSliceImages::Fill(const std::array<int, 2>& size, int depthType,
-  const std::vector<float>& colors, const std::vector<float>& places,
-  const vtkTextureSliceFrame& frame, bool clamps)
+void vtkTextureSliceImages::Fill(const vtkTextureSliceParts& parts,
+  const std::vector<float>& colors, const std::vector<float>& places)
 {
+  vtkOpenGLTextureSliceVolumeMapper* mapper = parts.Request.Mapper;
+  const float window = mapper->GetFinalColorWindow();
+  const float level = 0.5f * window - mapper->GetFinalColorLevel();
+  const int depthType = mapper->GetDepthImageScalarType();
+  const bool clamps = mapper->GetClampDepthToBackface() != 0;
+  const auto size = vtkTextureSliceTarget::GetSize(parts.Window, parts.PixelSize);
   vtkDataArray* bytes = Allocate(this->Color, size, VTK_UNSIGNED_CHAR, 4);
   vtkDataArray* depths = Allocate(this->Depth, size, depthType, 1);
   const bool rounds = depthType != VTK_FLOAT;
@@ -338,11 +315,12 @@ void vtkTextureSliceImages::Fill(const std::array<int, 2>& size, int depthType,
     const bool meetsVolume = place[3] > 0.0f;
     for (int i = 0; i < 4; ++i)
     {
-      const float value = meetsVolume ? std::clamp(color[i], 0.0f, 1.0f) : (i < 3 ? 1.0f : 0.0f);
+      const float final = i < 3 ? (color[i] + level * color[3]) / window : color[3];
+      const float value = meetsVolume ? std::clamp(final, 0.0f, 1.0f) : (i < 3 ? 1.0f : 0.0f);
       bytes->SetComponent(pixel, i, std::round(255.0f * value));
     }
     const bool hasDepth = place[3] == 1.0f || (clamps && meetsVolume);
-    const double depth = farthest * (hasDepth ? FindDepth(frame, place) : 1.0);
+    const double depth = farthest * (hasDepth ? FindDepth(parts.Frame, place) : 1.0);
     depths->SetComponent(pixel, 0, rounds ? std::round(depth) : depth);
   }
 }

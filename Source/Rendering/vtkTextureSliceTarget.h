@@ -15,11 +15,7 @@
 
 class vtkImageData;
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
-class vtkTextureObject;
-struct vtkTextureSliceFrame;
 struct vtkTextureSliceParts;
-class vtkWindow;
 
 /**
  * The image sample distance, pixels of the window for each pixel of the volume's picture along an
@@ -31,10 +27,8 @@ public:
   /// Whether a frame that may take that long, seconds, is one of an interaction.
   static bool IsInteractive(double allowedTime);
 
-  /**
-   * The finest of the distances whose frame is expected to take no longer, clamped.
-   * @param allowedTime seconds.
-   */
+  /// The finest of the distances whose frame is expected to take no longer, clamped.
+  /// @param allowedTime seconds.
   double Choose(double allowedTime, double minimum, double maximum);
   /// Reports how many seconds the frame of the last choice took.
   void Report(double seconds);
@@ -51,22 +45,13 @@ private:
 class vtkTextureSliceTarget
 {
 public:
-  vtkTextureSliceTarget();
-  ~vtkTextureSliceTarget();
-
   /// Width and height of the picture for the viewport that OpenGL draws into now; see Begin.
   static std::array<int, 2> GetSize(vtkOpenGLRenderWindow* window, double pixelSize);
 
-  /**
-   * Copies the depth of the framebuffer that is bound, clears the picture and directs drawing here.
-   * End must follow.
-   * @param pixelSize pixels of the viewport that one pixel of the picture stands for along an axis.
-   * @param copiesDepth whether GetGeometryDepth is read.
-   * @param fullPrecision whether the picture has floats of 32 bits in place of 16.
-   * @return false, with one line in @a error, if it cannot be made; then End must not follow.
-   */
-  bool Begin(vtkOpenGLRenderWindow* window, double pixelSize, bool copiesDepth, bool fullPrecision,
-    std::string& error);
+  /// Copies the depth of the framebuffer that is bound, if the shader reads it, clears the picture
+  /// and directs drawing here. End must follow.
+  /// @return in one line why it cannot be made, and then End must not follow; or nothing
+  std::string Begin(const vtkTextureSliceParts& parts);
   /// The depth of what is drawn already, of the viewport's size.
   vtkTextureObject* GetGeometryDepth() { return this->Depth; }
   vtkTextureObject* GetPicture() { return this->Color; }
@@ -74,14 +59,13 @@ public:
   void End();
 
   /// Blends the picture over the viewport of the last Begin.
-  /// @param scale, bias the final window and level.
-  void Composite(vtkTextureSliceParts& parts, float scale, float bias);
+  void Composite(vtkTextureSliceParts& parts);
 
-  void ReleaseGraphicsResources(vtkWindow* window);
+  void ReleaseGraphicsResources(vtkOpenGLRenderWindow* window);
 
 private:
-  bool MakePicture(int width, int height, bool fullPrecision, std::string& error);
-  bool CopyDepth(std::string& error);
+  bool MakePicture(int width, int height, bool fullPrecision);
+  bool CopyDepth();
 
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   vtkNew<vtkOpenGLFramebufferObject> DepthFramebuffer;
@@ -91,7 +75,9 @@ private:
   vtkOpenGLRenderWindow* Window = nullptr;
   std::array<int, 4> Viewport{}; ///< left, bottom, width, height
   bool FullPrecision = false;    ///< of Color
-  int DepthKey = -1;             ///< the depth format that Depth has
+  /// Of Depth: bits, whether they are floats, whether a stencil is with them. OpenGL copies depth
+  /// only between equal formats.
+  std::array<int, 3> DepthFormat{-1, 0, 0};
 };
 
 /**
@@ -99,21 +85,16 @@ private:
  * unsigned char a pixel, white where a ray misses the volume; and depths of the window, 0 to 1, in
  * the type of the mapper's DepthImageScalarType.
  */
-class vtkTextureSliceImages
+struct vtkTextureSliceImages
 {
-public:
   vtkNew<vtkImageData> Color;
   vtkNew<vtkImageData> Depth;
 
-  /// The pixels of a picture, four numbers each.
   static std::vector<float> Download(vtkTextureObject* picture);
-  /**
-   * @param colors pixels of the picture.
-   * @param places of the picture of places (vtkTextureSliceFeatures::Places).
-   * @param clamps whether a ray that sees nothing has the depth of its beginning, in place of 1.
-   */
-  void Fill(const std::array<int, 2>& size, int depthType, const std::vector<float>& colors,
-    const std::vector<float>& places, const vtkTextureSliceFrame& frame, bool clamps);
+  /// @param colors pixels of the picture.
+  /// @param places of the picture of places (vtkTextureSliceFeatures::Places).
+  void Fill(const vtkTextureSliceParts& parts, const std::vector<float>& colors,
+    const std::vector<float>& places);
 };
 
 #endif

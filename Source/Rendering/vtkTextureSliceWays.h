@@ -4,48 +4,37 @@
 #define vtkTextureSliceWays_h
 
 #include "vtkNew.h"
+#include "vtkOpenGLTextureSliceVolumeMapper.h"
+#include "vtkOpenGLVertexArrayObject.h"
 #include "vtkSmartPointer.h"
 
 #include <array>
 #include <functional>
 #include <map>
-#include <set>
 #include <string>
-#include <vector>
 
 class vtkOpenGLRenderWindow;
-class vtkOpenGLVertexArrayObject;
 class vtkShaderProgram;
-struct vtkTextureSliceFrame;
 struct vtkTextureSliceParts;
 
-/// A fragment shader that runs for each pixel of the volume's box.
+/// Shaders that run for each pixel of the volume's box, or instead of it.
 class vtkTextureSliceBox
 {
 public:
-  vtkTextureSliceBox();
-  ~vtkTextureSliceBox();
-
-  /**
-   * Makes the shader the current one.
-   * @param key what the shader depends on: it is made anew when this changes.
-   * @return nullptr if it does not compile
-   */
+  /// Makes a shader the current one.
+  /// @param key what the shader depends on
+  /// @param make makes it if it is not known yet
+  /// @return nullptr if it does not compile: then it is not made again
   vtkShaderProgram* Ready(vtkOpenGLRenderWindow* window, const std::string& key,
-    const std::function<std::string()>& makeShader);
-  /**
-   * After Ready.
-   * @param seen the part of the box whose pixels are drawn: lower x, upper x, lower y and so on.
-   * @param times how often, one after the other: the shader gets the number as "slice".
-   */
-  void Draw(const vtkTextureSliceFrame& frame, const std::array<double, 6>& seen, int times = 1);
-  void ReleaseGraphicsResources();
+    const std::function<vtkSmartPointer<vtkShaderProgram>()>& make);
+  /// Draws by a fragment shader of which TextureSliceBoxVS is the vertex shader, after Ready.
+  /// @param times how often, one after the other: the shader gets the number as "slice".
+  void Draw(const vtkTextureSliceParts& parts, vtkShaderProgram* program, int times = 1);
+  void ReleaseGraphicsResources(vtkOpenGLRenderWindow* window);
 
 private:
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray; ///< OpenGL draws with one, although it is empty
-  vtkOpenGLRenderWindow* Window = nullptr;
-  vtkShaderProgram* Program = nullptr; ///< the shader cache owns it
-  std::string Key;
+  std::map<std::string, vtkSmartPointer<vtkShaderProgram>> Programs;
 };
 
 /// Pixels of a picture: lower left column and row, then the column and the row where they end.
@@ -63,27 +52,16 @@ using vtkTextureSlicePixels = std::array<int, 4>;
 class vtkTextureSliceWays
 {
 public:
-  /// The values are those of vtkOpenGLTextureSliceVolumeMapper::Ways.
-  enum Way
-  {
-    Automatic, ///< fragments, or compute where it is much faster
-    Fragments,
-    Compute,
-    Polygons ///< what they cannot draw is drawn as by Automatic
-  };
+  using Mapper = vtkOpenGLTextureSliceVolumeMapper;
+  using Way = Mapper::Ways;
 
-  /**
-   * Chooses the way of the next picture and makes its shader ready.
-   * @return false if there is none whose shaders compile
-   */
+  /// Chooses the way of the next picture and makes its shader ready.
+  /// @return false if there is none whose shaders compile
   bool Choose(const vtkTextureSliceParts& parts);
-  /// That of the last picture; Automatic: there was none.
+  /// That of the last picture; AUTOMATIC: there was none.
   Way GetDrawn() const { return this->Drawn; }
   /// Why the last picture was not drawn as asked for, in one line; or an empty text.
   const std::string& GetFallback() const { return this->Fallback; }
-  /// Whether the picture must have 32-bit floats: polygons round hundreds of samples in it, one
-  /// after the other.
-  bool NeedsFullPrecision() const { return this->Drawn == Polygons; }
   /// After Choose: draws the picture, which is bound.
   void Draw(vtkTextureSliceParts& parts);
 
@@ -92,7 +70,7 @@ public:
 private:
   /// What the environment variable VTK_TEXTURE_SLICE_WAY names takes precedence over @a asked.
   Way FindAsked(Way asked);
-  /// What Automatic stands for. The first picture is drawn by fragments where there was no trial
+  /// What AUTOMATIC stands for. The first picture is drawn by fragments where there was no trial
   /// yet, because a trial takes longer than a program with one picture can gain by it.
   Way ChooseByTrial();
   /// @param instead says what draws the volume where the shader of that way does not compile.
@@ -102,15 +80,11 @@ private:
   /// Times fragments and compute with a part of the picture that is drawn next.
   void RunTrial(vtkTextureSliceParts& parts, const vtkTextureSlicePixels& pixels);
 
-  vtkTextureSliceBox Box; ///< of fragments and polygons
-  std::map<std::string, vtkSmartPointer<vtkShaderProgram>> ComputePrograms;
+  vtkTextureSliceBox Box;
   vtkShaderProgram* Program = nullptr; ///< that is ready
-  Way Drawn = Automatic;
+  Way Drawn = Mapper::AUTOMATIC;
   bool IsTrialDue = false; ///< with the next picture
-  /// Of the part of the box that is drawn, in pixels of the picture; see FindCorners.
-  std::vector<std::array<double, 2>> Corners;
   std::string Fallback;
-  std::set<std::string> Failed; ///< shaders that do not compile are not tried in each frame
 };
 
 #endif

@@ -3,7 +3,6 @@
 
 #include "vtkDataArray.h"
 #include "vtkSMPTools.h"
-#include "vtkTextureSliceScalars.h"
 
 #include <algorithm>
 #include <limits>
@@ -49,7 +48,6 @@ struct Lookup
   float Scale;
 };
 
-/// Makes the cells of some rows.
 template <typename Scalar>
 class RowsOfCells
 {
@@ -78,19 +76,19 @@ public:
     {
       const int cellY = row % this->Grid.Size[1];
       const int cellZ = row / this->Grid.Size[1];
-      const vtkTextureSliceLightGrid::Rows ys = this->Grid.GetRows(cellY, 1);
-      const vtkTextureSliceLightGrid::Rows zs = this->Grid.GetRows(cellZ, 2);
+      const auto [firstY, endY] = this->Grid.GetRows(cellY, 1);
+      const auto [firstZ, endZ] = this->Grid.GetRows(cellZ, 2);
       std::fill(sums.Values.begin(), sums.Values.end(), 0.0f);
       std::fill(sums.Visible.begin(), sums.Visible.end(), 0.0f);
-      for (int z = zs.Begin; z < zs.End; ++z)
+      for (int z = firstZ; z < endZ; ++z)
       {
-        for (int y = ys.Begin; y < ys.End; ++y)
+        for (int y = firstY; y < endY; ++y)
         {
           this->AddRow(y, z, voxels, sums);
         }
       }
       float* cells = this->Values.data() + std::ptrdiff_t{row} * this->Grid.Size[0];
-      this->Average(sums, (ys.End - ys.Begin) * (zs.End - zs.Begin), cells);
+      this->Average(sums, (endY - firstY) * (endZ - firstZ), cells);
       if (this->Input.Left)
       {
         this->Cut(this->Grid.GetPlace(cellY, 1), this->Grid.GetPlace(cellZ, 2), cells);
@@ -106,7 +104,6 @@ private:
     std::vector<float> Visible; ///< how many voxels
   };
 
-  /// A row of voxels.
   struct Voxels
   {
     std::vector<float> Scalars; ///< component by component
@@ -156,7 +153,7 @@ private:
         const Scalar scalar = scalars[i * components + component];
         *decoded++ = this->Input.Scalars.Codes
                        ? static_cast<float>(
-                           this->Input.Scalars.Codes->GetValue(static_cast<std::size_t>(scalar)))
+                           this->Input.Scalars.Codes->Values[static_cast<std::size_t>(scalar)])
                        : static_cast<float>(scalar);
       }
     }
@@ -263,7 +260,7 @@ std::size_t vtkTextureSliceLightGrid::CountCells() const
          static_cast<std::size_t>(this->Size[2]);
 }
 
-vtkTextureSliceLightGrid::Rows vtkTextureSliceLightGrid::GetRows(int cell, std::size_t axis) const
+std::array<int, 2> vtkTextureSliceLightGrid::GetRows(int cell, std::size_t axis) const
 {
   constexpr int mostRows = 4;
   const int inset = std::max(0, (this->Factor[axis] - mostRows) / 2);

@@ -31,14 +31,9 @@ struct VTKNEXRADRENDERING_EXPORT vtkTextureSliceLightGrid
     const std::array<double, 3>& voxelEdge, std::size_t mostCells);
 
   std::size_t CountCells() const;
-  /// Rows of voxels along an axis: [Begin, End).
-  struct Rows
-  {
-    int Begin;
-    int End;
-  };
-  /// The rows of a cell that are looked at: of large cells, the middle rows stand for all.
-  Rows GetRows(int cell, std::size_t axis) const;
+  /// The rows of a cell that are looked at, and their end: of large cells, the middle rows stand
+  /// for all.
+  std::array<int, 2> GetRows(int cell, std::size_t axis) const;
   /// Where the centre of a cell lies in the volume, 0 to 1 along an axis.
   double GetPlace(int cell, std::size_t axis) const;
   /// Cells from the centre of the outermost cell to the face of the volume; below 0 where the

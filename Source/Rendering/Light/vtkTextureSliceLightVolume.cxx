@@ -3,11 +3,9 @@
 
 #include "vtkMath.h"
 #include "vtkSMPTools.h"
-#include "vtkTextureSliceLightCells.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -15,6 +13,16 @@
 
 namespace
 {
+
+// The transmittance exp(-integral of the extinction) from the centre of each cell to where a
+// direction leaves the volume (Formulas L2). A direction is followed plane by plane of cells, from
+// where it enters, along the axis on which it takes the fewest steps. Parallel rays, one cell
+// apart, keep the depths that they have come through; a plane's extinction is interpolated to where
+// the rays cross it, and the transmittance of the rays to the centres of its cells. So light is
+// interpolated twice however long its way is, and shadows have the same edges far from what casts
+// them as near to it. A ray crosses an isosurface between two planes where its scalars lie on
+// either side of the value, and loses what the surface takes: the same whatever the size of the
+// cells.
 
 /// exp(-depth), at most 1, within 0.01 %, and without a branch, so that a compiler does several at
 /// a time.
@@ -296,10 +304,10 @@ private:
   std::vector<float> Previous;       ///< of the row before
 };
 
-} // namespace
-
-void vtkTextureSliceLightSweep::Add(const vtkTextureSliceLightCells& cells,
-  const std::array<double, 3>& towards, double weight, std::vector<float>& sums)
+/// Adds the transmittance times a weight to the sum of each cell, x varying fastest.
+/// @param towards to the light, in data lengths along the axes of the volume; of any length but 0.
+void AddLight(const vtkTextureSliceLightCells& cells, const std::array<double, 3>& towards,
+  double weight, std::vector<float>& sums)
 {
   const Course course = FindCourse(cells, towards);
   // Few rows in a task would compute too many rows of rays twice.
@@ -311,6 +319,8 @@ void vtkTextureSliceLightSweep::Add(const vtkTextureSliceLightCells& cells,
       rays.Sweep(static_cast<float>(weight), sums.data());
     });
 }
+
+} // namespace
 
 std::vector<std::array<double, 3>> vtkTextureSliceLightVolume::GetSkyDirections(int count)
 {
@@ -336,7 +346,7 @@ void vtkTextureSliceLightVolume::Build(
   std::vector<float> occlusion(this->Grid.CountCells(), lights.Occlusion ? 0.0f : 1.0f);
   if (lights.Shadow)
   {
-    vtkTextureSliceLightSweep::Add(cells, lights.ToLight, 1.0, shadow);
+    AddLight(cells, lights.ToLight, 1.0, shadow);
   }
   if (lights.Occlusion)
   {
@@ -349,7 +359,7 @@ void vtkTextureSliceLightVolume::Build(
         towards[axis] = lights.Sky[0][axis] * direction[0] + lights.Sky[1][axis] * direction[1] +
                         lights.Sky[2][axis] * direction[2];
       }
-      vtkTextureSliceLightSweep::Add(cells, towards, 1.0 / count, occlusion);
+      AddLight(cells, towards, 1.0 / count, occlusion);
     }
   }
   this->Light = vtkSmartPointer<vtkFloatArray>::New();

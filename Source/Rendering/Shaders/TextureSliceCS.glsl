@@ -1,7 +1,7 @@
-//VTK::TextureSlice::Version
+#version 430
 // SPDX-License-Identifier: BSD-3-Clause
 // A pixel of the volume: its ray, from front to back, as a compute shader.
-layout(local_size_x = TEXTURE_SLICE_GROUP, local_size_y = TEXTURE_SLICE_GROUP) in;
+layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(rgba16) writeonly uniform image2D pictureImage;
 // The rectangle of pixels to be drawn: the lower left one, and where it ends.
@@ -13,9 +13,8 @@ uniform ivec2 endOfPixels;
 void main()
 {
   ivec2 pixel = firstPixel + ivec2(gl_GlobalInvocationID.xy);
-  if (all(lessThan(pixel, endOfPixels)))
+  if (all(lessThan(pixel, endOfPixels)) && StartRay(vec2(pixel) + 0.5))
   {
-    bool meets = StartRay(vec2(pixel) + 0.5, TEXTURE_SLICE_LEAST_SLICES);
-    imageStore(pictureImage, pixel, meets ? March() : vec4(0.0));
+    imageStore(pictureImage, pixel, March());
   }
 }

@@ -22,16 +22,11 @@ vec4 LookUp(float scalar, int row)
   return LookUpRow(transferTable, scalar * tableScale + tableBias, row, TEXTURE_SLICE_ROWS);
 }
 
-// What a sample adds to the picture.
-
 uniform float componentWeight[TEXTURE_SLICE_COMPONENTS];
 
-#if TEXTURE_SLICE_FUNCTIONS > 1
 // The unit distance of the first component over those of all.
 uniform float unitDistanceRatio[TEXTURE_SLICE_COMPONENTS];
-#endif
 
-#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_COMPOSITE || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ADDITIVE
 // Unit distances of a component that the sample stands for.
 float CountUnits(int component)
 {
@@ -41,7 +36,6 @@ float CountUnits(int component)
   return sampleUnits;
 #endif
 }
-#endif
 
 // The row of a component's functions, or of a label's above 0.
 int FindRow(int component, int label)
@@ -58,19 +52,24 @@ uniform float labelWeight;
 // Colour and opacity over scalar (to the right) and gradient magnitude or second array (up), all sets of
 // functions one above the other.
 uniform sampler2D transferTable2D;
-// Rows of one set.
-uniform float table2DRows;
 
-vec4 LookUp2D(vec4 scalars, float scalar, int functions)
+// What a set of functions makes of a scalar.
+vec4 Classify(vec4 scalars, float scalar, int functions)
 {
 #ifdef TEXTURE_SLICE_SECOND_ARRAY
   float up = FetchSecond(textureCoordinate, functions);
 #else
   float up = Gradient(scalars, functions).w;
 #endif
-  float row = clamp(up * table2DRows, 0.5, table2DRows - 0.5);
+  float rows = float(textureSize(transferTable2D, 0).y / TEXTURE_SLICE_FUNCTIONS); // of one set
+  float row = clamp(up * rows, 0.5, rows - 0.5);
   return textureLod(transferTable2D,
-    vec2(scalar, row / table2DRows + float(functions)) / vec2(1.0, float(TEXTURE_SLICE_FUNCTIONS)), 0.0);
+    vec2(scalar, row / rows + float(functions)) / vec2(1.0, float(TEXTURE_SLICE_FUNCTIONS)), 0.0);
+}
+#else
+vec4 Classify(vec4 scalars, float scalar, int functions)
+{
+  return LookUp(scalar, functions);
 }
 #endif
 
@@ -81,11 +80,6 @@ vec4 LookUp2D(vec4 scalars, float scalar, int functions)
 
 #if defined TEXTURE_SLICE_BLENDS_SAMPLES || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ISOSURFACE
 #ifdef TEXTURE_SLICE_GRADIENT_OPACITY
-float GradientOpacity(float magnitude, int row)
-{
-  return LookUp(magnitude, TEXTURE_SLICE_ROWS / 2 + row).a;
-}
-
 // The opacity of a step as the gradient weakens it: VTK's ray caster multiplies the opacity of a
 // sample; of a slab, the extinction is multiplied, which is the limit for many samples.
 float WeakenOpacity(float opacity, float gradientOpacity)
@@ -98,28 +92,21 @@ float WeakenOpacity(float opacity, float gradientOpacity)
 }
 #endif
 
-#ifdef TEXTURE_SLICE_LIGHTS
-// The light and the sky's light that arrive: the sky lights what is ambient, the light the rest.
-vec3 LightAndShade(vec4 color, vec3 gradient, vec4 surface)
-{
-#ifdef TEXTURE_SLICE_SHADOWS
-  vec2 arriving = FindArriving(gradient);
-  surface.xyz *= arriving.yxx;
-#endif
-  return clamp(Light(color.rgb, gradient, surface), 0.0, 1.0);
-}
-#endif
-
 // Gradient opacity, light and shadow on the colour of one step.
 vec4 Finish(vec4 color, vec4 scalars, int component, int label)
 {
 #ifdef TEXTURE_SLICE_GRADIENT
   vec4 gradient = Gradient(scalars, component);
 #ifdef TEXTURE_SLICE_GRADIENT_OPACITY
-  color.a = WeakenOpacity(color.a, GradientOpacity(gradient.w, FindRow(component, label)));
+  color.a = WeakenOpacity(color.a, LookUp(gradient.w, TEXTURE_SLICE_ROWS / 2 + FindRow(component, label)).a);
 #endif
 #ifdef TEXTURE_SLICE_LIGHTS
-  color.rgb = LightAndShade(color, gradient.xyz, material[component]);
+  vec4 surface = material[component];
+#ifdef TEXTURE_SLICE_SHADOWS
+  // The sky lights what is ambient, the light the rest.
+  surface.xyz *= FindArriving(gradient.xyz).yxx;
+#endif
+  color.rgb = clamp(Light(color.rgb, gradient.xyz, surface), 0.0, 1.0);
 #endif
 #endif
 #if defined TEXTURE_SLICE_SHADOWS && !defined TEXTURE_SLICE_LIGHTS && \

@@ -13,30 +13,9 @@ uniform sampler2D volumeImage;
 uniform float colorScale;
 uniform float colorBias;
 
-vec4 FetchPicture()
-{
-  return texture(volumeImage, gl_FragCoord.xy * toPicture.xy + toPicture.zw);
-}
-
 #ifdef TEXTURE_SLICE_SELECTION
 uniform vec3 selectionColor;
-
-void main()
-{
-  // As in VTK's ray caster, what is fainter cannot be picked.
-  if (FetchPicture().a <= 3.0 / 255.0)
-  {
-    discard;
-  }
-  gl_FragData[0] = vec4(selectionColor, 1.0);
-}
-#else
-// With the final window and level.
-vec4 FinalColor()
-{
-  vec4 color = FetchPicture();
-  return vec4(color.rgb * colorScale + colorBias * color.a, color.a);
-}
+#endif
 
 #ifdef TEXTURE_SLICE_PEEL
 // Depth peeling: the pass has a texture of what is behind the geometry that is left, and one of what is
@@ -46,22 +25,28 @@ uniform int peelInFront;
 // What was peeled from the front so far.
 uniform sampler2D lastFrontColorTex;
 #endif
+#endif
 
 void main()
 {
-  vec4 color = FinalColor();
+  vec4 color = texture(volumeImage, gl_FragCoord.xy * toPicture.xy + toPicture.zw);
+#ifdef TEXTURE_SLICE_SELECTION
+  // As in VTK's ray caster, what is fainter cannot be picked.
+  if (color.a <= 3.0 / 255.0)
+  {
+    discard;
+  }
+  gl_FragData[0] = vec4(selectionColor, 1.0);
+#else
+  color.rgb = color.rgb * colorScale + colorBias * color.a;
+#ifdef TEXTURE_SLICE_PEEL
   vec4 before = vec4(0.0);
 #if TEXTURE_SLICE_PEEL == TEXTURE_SLICE_PEEL_BETWEEN
   before = texelFetch(lastFrontColorTex, ivec2(gl_FragCoord.xy), 0);
 #endif
-  bool inFront = peelInFront != 0;
-  gl_FragData[0] = inFront ? vec4(0.0) : color;
-  gl_FragData[1] = inFront ? before + (1.0 - before.a) * color : before;
-}
-#else
-void main()
-{
-  gl_FragData[0] = FinalColor();
-}
+  gl_FragData[1] = peelInFront != 0 ? before + (1.0 - before.a) * color : before;
+  color = peelInFront != 0 ? vec4(0.0) : color;
 #endif
+  gl_FragData[0] = color;
 #endif
+}

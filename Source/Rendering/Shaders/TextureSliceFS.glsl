@@ -11,7 +11,7 @@ flat in float slice;
 void main()
 {
 #ifdef TEXTURE_SLICE_POLYGONS
-  if (StartRay(gl_FragCoord.xy, 0.0) && slice >= raySpan.x && slice <= raySpan.y)
+  if (StartRay(gl_FragCoord.xy) && slice >= raySpan.x && slice <= raySpan.y)
   {
     sampleUnits = CountSlices(slice) * length(sampleStep);
     GatherSample(slice);
@@ -19,6 +19,6 @@ void main()
   }
   gl_FragData[0] = FindPicture();
 #else
-  gl_FragData[0] = StartRay(gl_FragCoord.xy, TEXTURE_SLICE_LEAST_SLICES) ? March() : vec4(0.0);
+  gl_FragData[0] = StartRay(gl_FragCoord.xy) ? March() : vec4(0.0);
 #endif
 }

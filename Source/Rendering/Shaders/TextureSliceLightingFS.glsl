@@ -121,25 +121,26 @@ uniform sampler3D lightTexture;
 // From the volume's texture coordinates to those of the light.
 uniform vec3 lightTextureScale;
 
-#if !defined TEXTURE_SLICE_LIGHTS && TEXTURE_SLICE_BLEND != TEXTURE_SLICE_ISOSURFACE
-#define TEXTURE_SLICE_LIT_TURNS 1
-// What shadow and occlusion leave of a colour that has no shading: the light texture holds that.
-float FetchLight(vec3 at)
-{
-  return textureLod(lightTexture, at * lightTextureScale, 0.0).r;
-}
-#else
-// Of the texture, red: the transmittance to the light; green: its mean over the sky (Formulas L2).
-
 // How strong shadow and occlusion are, 0 to 1.
 uniform vec2 lightStrength;
 
+// Of the light's texture, red is the transmittance to the light, green its mean over the sky (Formulas L2).
 vec2 Weaken(vec2 transmittance)
 {
   return mix(vec2(1.0), transmittance, lightStrength);
 }
 
-#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ISOSURFACE
+#if !defined TEXTURE_SLICE_LIGHTS && TEXTURE_SLICE_BLEND != TEXTURE_SLICE_ISOSURFACE
+#define TEXTURE_SLICE_LIT_TURNS 1
+uniform float exposure;
+
+// What shadow and occlusion leave of a colour that has no shading.
+float FetchLight(vec3 at)
+{
+  vec2 left = Weaken(textureLod(lightTexture, at * lightTextureScale, 0.0).rg);
+  return min(1.0, exposure * left.x * left.y);
+}
+#elif TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ISOSURFACE
 // Towards the light, of length 1, in cells of the light volume.
 uniform vec3 toLight;
 // Times a gradient: its direction in cells, and the change of the scalar (0 to 1) over a cell.
@@ -200,6 +201,5 @@ vec2 FindArriving(vec3 gradient)
 {
   return Weaken(textureLod(lightTexture, textureCoordinate * lightTextureScale, 0.0).rg);
 }
-#endif
 #endif
 #endif

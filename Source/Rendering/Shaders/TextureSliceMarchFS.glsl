@@ -40,6 +40,9 @@ float FindReach(float at, out bool empty)
 }
 #endif
 
+// Where a ray ends, because what is behind adds less than a quarter of one of 255.
+const float opaque = 1023.0 / 1024.0;
+
 // From front to back along a ray. Where there is something to skip, an inner loop leaps until all rays that a
 // processor goes along together stand in visible bricks: software OpenGL has loops, but no branches.
 
@@ -67,7 +70,7 @@ vec4 March()
   float known = raySpan.x; // up to there the ray is in bricks that were looked at
 #endif
   GoOn(raySpan.x, true);
-  while (picture.a <= TEXTURE_SLICE_OPAQUE)
+  while (picture.a <= opaque)
   {
     while (nearEnd.level == farEnd.level && farEnd.at < raySpan.y)
     {
@@ -94,11 +97,6 @@ vec4 March()
 #elif defined TEXTURE_SLICE_SLABS
 // What lies between two planes, or a plane and an end of the ray, is gathered together.
 const float piece = float(TEXTURE_SLICE_SLABS);
-
-float EndOfPiece(float at)
-{
-  return min((floor(at / piece) + 1.0) * piece, raySpan.y);
-}
 
 vec4 March()
 {
@@ -131,9 +129,9 @@ vec4 March()
       frontEnd = FetchEnd(PlaceAt(at));
     }
 #endif
-    float next = EndOfPiece(at);
+    float next = min((floor(at / piece) + 1.0) * piece, raySpan.y);
     GatherPiece(at, next, frontEnd);
-    if (picture.a > TEXTURE_SLICE_OPAQUE)
+    if (picture.a > opaque)
     {
       break;
     }
@@ -163,7 +161,6 @@ const int samplesInTurn = 2;
 const int samplesInTurn = 4;
 #endif
 
-// Samples on the planes.
 vec4 March()
 {
   int i = int(ceil(raySpan.x));
@@ -201,7 +198,7 @@ vec4 March()
     EndTurn();
     i = end;
 #if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_COMPOSITE
-    if (picture.a > TEXTURE_SLICE_OPAQUE)
+    if (picture.a > opaque)
     {
       break;
     }
@@ -209,11 +206,11 @@ vec4 March()
   }
 #if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ADDITIVE && defined TEXTURE_SLICE_SKIPPING
   // A sum of 0 is black wherever there are samples.
-  for (i = first; i <= last && picture.a <= 0.0; ++i)
+  for (i = first; i <= last && samples.x <= 0.0; ++i)
   {
     vec4 scalars;
     textureCoordinate = PlaceAt(float(i));
-    picture.a = IsLeft(textureCoordinate) && FetchScalars(textureCoordinate, scalars) ? 1.0 : 0.0;
+    samples.x = IsLeft(textureCoordinate) && FetchScalars(textureCoordinate, scalars) ? 1.0 : 0.0;
   }
 #endif
   return FindPicture();

@@ -9,14 +9,13 @@ uniform vec3 textureScale;
 uniform vec3 textureBias;
 // From texture coordinates to data lengths along the axes, in the first component's unit distances.
 uniform vec3 stepToUnits;
-// The part of the box that is drawn.
 uniform vec3 partLow;
 uniform vec3 partHigh;
 #if TEXTURE_SLICE_CLIPPING_PLANES > 0
 // In texture coordinates; what is below 0 is cut away.
 uniform vec4 clippingPlanes[TEXTURE_SLICE_CLIPPING_PLANES];
 #endif
-// See vtkTextureSlicePlanes::GetDepthToSlice.
+// See vtkTextureSlicePlanes::DepthToSlice.
 uniform vec4 depthToSlice;
 // Pixels of the window for one pixel of the picture.
 uniform float pixelSize;
@@ -31,7 +30,6 @@ vec3 rayStep = vec3(0.0);
 vec3 sampleStep = vec3(0.0);
 // Where the ray enters and leaves what is drawn.
 vec2 raySpan = vec2(0.0);
-// The pixel of the window.
 ivec2 windowPixel = ivec2(0);
 
 // Where the volume is sampled, on the ray and as texture coordinates, and how many unit distances the sample
@@ -50,17 +48,12 @@ uniform int peelInFront;
 
 const vec2 nothing = vec2(3.0, -3.0);
 
-vec2 FetchPeel(sampler2D depths)
-{
-  return texelFetch(depths, windowPixel, 0).xy;
-}
-
 #if TEXTURE_SLICE_PEEL == TEXTURE_SLICE_PEEL_REST
 uniform sampler2D depthRangeTex;
 
 vec2 PeelRange()
 {
-  vec2 left = FetchPeel(depthRangeTex);
+  vec2 left = texelFetch(depthRangeTex, windowPixel, 0).xy;
   return left.x == -1.0 ? nothing : vec2(-left.x, left.y);
 }
 #else
@@ -71,8 +64,8 @@ uniform sampler2D innerDepthTex;
 
 vec2 PeelRange()
 {
-  vec2 outer = FetchPeel(outerDepthTex);
-  vec2 inner = FetchPeel(innerDepthTex);
+  vec2 outer = texelFetch(outerDepthTex, windowPixel, 0).xy;
+  vec2 inner = texelFetch(innerDepthTex, windowPixel, 0).xy;
 #if TEXTURE_SLICE_PEEL == TEXTURE_SLICE_PEEL_OUTSIDE
   outer = vec2(2.0, outer.y < 0.0 ? 2.0 : outer.y); // nothing was peeled: from the eye on
   bool wholeInFront = false;
@@ -137,9 +130,18 @@ vec2 FindSpan()
   return span;
 }
 
+// What each ray has, however short its way.
+#ifdef TEXTURE_SLICE_SLABS
+const float leastSlices = 4.0;
+#elif defined TEXTURE_SLICE_POLYGONS
+const float leastSlices = 0.0;
+#else
+const float leastSlices = 2.0;
+#endif
+
 // False where the ray meets nothing that is drawn. A ray whose way is short against the distance of two
-// planes has slices of its own, as many as that.
-bool StartRay(vec2 pixel, float leastSlices)
+// planes has slices of its own.
+bool StartRay(vec2 pixel)
 {
   windowPixel = ivec2(pixel * pixelSize);
   rayOrigin = placeOfPixel * vec3(pixel, 1.0);

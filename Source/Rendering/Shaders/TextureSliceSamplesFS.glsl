@@ -3,16 +3,6 @@
 // What was gathered so far, in the terms of the blend mode.
 vec4 picture = vec4(0.0);
 
-// What a set of functions makes of a scalar.
-vec4 Classify(vec4 scalars, float scalar, int functions)
-{
-#ifdef TEXTURE_SLICE_TABLE_2D
-  return LookUp2D(scalars, scalar, functions);
-#else
-  return LookUp(scalar, functions);
-#endif
-}
-
 #if TEXTURE_SLICE_FUNCTIONS == 1
 // Of dependent components the last one gives the opacity.
 vec4 ClassifyDependent(vec4 scalars)
@@ -83,14 +73,17 @@ bool Gather(vec4 scalars, out vec4 gathered)
 #endif
 #endif
 
-#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_MAXIMUM || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_MINIMUM
-// The extremes are coloured at the end of the ray.
+#if TEXTURE_SLICE_BLEND >= TEXTURE_SLICE_MAXIMUM && TEXTURE_SLICE_BLEND <= TEXTURE_SLICE_ADDITIVE
+// Of projections, scalars are gathered.
 bool Gather(vec4 scalars, out vec4 gathered)
 {
   gathered = scalars;
   return true;
 }
+#endif
 
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_MAXIMUM || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_MINIMUM
+// The extremes are coloured at the end of the ray.
 bool isSampled = false;
 
 #if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_MAXIMUM
@@ -131,44 +124,35 @@ vec4 FindPicture()
 #endif
 }
 #elif TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ADDITIVE || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_AVERAGE
-// The scalars that count in a mean of one component, 0 to 1 as they are.
-uniform vec2 averageRange;
+// The scalars of each component that count in an average, 0 to 1 as they are.
+uniform vec4 averageFrom;
+uniform vec4 averageTo;
 
-// Red: the sum of scalar times opacity. Alpha: the number of samples.
-bool Gather(vec4 scalars, out vec4 gathered)
+// For each set of functions, the picture is the sum of scalar times opacity; and these are the samples that count.
+vec4 samples = vec4(0.0);
+
+void Add(vec4 scalars)
 {
-  float sum = 0.0;
   for (int i = 0; i < TEXTURE_SLICE_FUNCTIONS; ++i)
   {
     // Of dependent components the last one gives the opacity.
     float opacity = LookUp(scalars[i + TEXTURE_SLICE_COMPONENTS - TEXTURE_SLICE_FUNCTIONS], i).a;
 #if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ADDITIVE
-    opacity *= CountUnits(i);
-#endif
-    sum += scalars[i] * opacity * componentWeight[i];
-  }
-  gathered = vec4(sum, 0.0, 0.0, 1.0);
-#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_AVERAGE && TEXTURE_SLICE_FUNCTIONS == 1
-  return scalars.x >= averageRange.x && scalars.x <= averageRange.y;
+    float counts = CountUnits(i);
+    samples[i] = 1.0;
 #else
-  return true;
+    float counts = scalars[i] >= averageFrom[i] && scalars[i] <= averageTo[i] ? 1.0 : 0.0;
+    samples[i] += counts;
 #endif
-}
-
-void Add(vec4 gathered)
-{
-  picture += gathered;
+    picture[i] += counts * scalars[i] * opacity * componentWeight[i];
+  }
 }
 
 // Grey, opaque where there are samples.
 vec4 FindPicture()
 {
-#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_AVERAGE
-  float grey = picture.r / max(picture.a, 1.0);
-#else
-  float grey = picture.r;
-#endif
-  return picture.a > 0.0 ? vec4(vec3(clamp(grey, 0.0, 1.0)), 1.0) : vec4(0.0);
+  float grey = dot(picture / max(samples, 1.0), vec4(1.0));
+  return dot(samples, vec4(1.0)) > 0.0 ? vec4(vec3(clamp(grey, 0.0, 1.0)), 1.0) : vec4(0.0);
 }
 #elif defined TEXTURE_SLICE_PLACES
 // The first place that is seen, as texture coordinates; alpha is 1 there.

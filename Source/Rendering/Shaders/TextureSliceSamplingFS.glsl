@@ -9,14 +9,13 @@ uniform vec4 scalarBias;
 #ifdef TEXTURE_SLICE_RECTILINEAR
 // For each axis, from the place in the box to the part of the points' intervals before it.
 uniform sampler1D coordinateTable;
-// From 0 to 1 to the centres of the first and the last entry.
-uniform vec2 coordinateScaleAndBias;
 
 // Texture coordinates where the points are of equal distances to those of the texture.
 vec3 Place(vec3 at)
 {
-  vec3 entry =
-    (at - textureBias) / textureScale * coordinateScaleAndBias.x + coordinateScaleAndBias.y;
+  // The centres of the first and the last entry are the faces of the box.
+  float entries = float(textureSize(coordinateTable, 0));
+  vec3 entry = ((at - textureBias) / textureScale * (entries - 1.0) + 0.5) / entries;
   vec3 part = vec3(textureLod(coordinateTable, entry.x, 0.0).x, textureLod(coordinateTable, entry.y, 0.0).y,
     textureLod(coordinateTable, entry.z, 0.0).z);
   return part * textureScale + textureBias;
@@ -31,9 +30,15 @@ vec3 Place(vec3 at)
 #ifdef TEXTURE_SLICE_BLANKED
 // Above 0 where the ghost flags of cells (or of points, for scalars of cells) hide what is there.
 uniform sampler3D blankTexture;
-// From texture coordinates of the volume.
-uniform vec3 blankScale;
-uniform vec3 blankBias;
+
+bool IsBlanked(vec3 at)
+{
+  // The first cell lies between two points, the first point at the corner of a cell.
+  vec3 flags = vec3(textureSize(blankTexture, 0));
+  vec3 texels = vec3(textureSize(volumeTexture, 0));
+  vec3 place = (Place(at) * texels + 0.5 * (flags - texels)) / flags;
+  return textureLod(blankTexture, place, 0.0).r > 0.0;
+}
 #endif
 
 #if defined TEXTURE_SLICE_MASKED && TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ISOSURFACE
@@ -58,25 +63,23 @@ float FindVisiblePart(vec3 at, float here)
 }
 #endif
 
-#if defined TEXTURE_SLICE_MASKED || defined TEXTURE_SLICE_BLANKED
-#define TEXTURE_SLICE_HIDING 1
 // Below 0 where there is nothing to see. The last component of masked texels is 1 at visible points
 // and 0 at hidden ones, where the others are 0 too. Their quotient is the mean of the visible points
 // alone; where the hidden ones weigh more, there is nothing to see.
 float FetchVisibility(vec3 at, out vec4 scalars)
 {
-  vec4 texel = textureLod(volumeTexture, Place(at), 0.0);
-#ifdef TEXTURE_SLICE_MASKED
-  float visible = texel[TEXTURE_SLICE_COMPONENTS];
-#else
+  scalars = textureLod(volumeTexture, Place(at), 0.0);
   float visible = 1.0;
-#endif
+#ifdef TEXTURE_SLICE_MASKED
+  visible = scalars[TEXTURE_SLICE_COMPONENTS];
 #ifdef TEXTURE_SLICE_STAIR
   const float least = 0.0625; // of visible points
 #else
   const float least = 0.5;
 #endif
-  scalars = texel / max(visible, least) * scalarScale + scalarBias;
+  scalars /= max(visible, least);
+#endif
+  scalars = scalars * scalarScale + scalarBias;
 #ifdef TEXTURE_SLICE_STAIR
   if (abs(visible - 0.5) < 0.5 - least)
   {
@@ -84,10 +87,7 @@ float FetchVisibility(vec3 at, out vec4 scalars)
   }
 #endif
 #ifdef TEXTURE_SLICE_BLANKED
-  if (textureLod(blankTexture, Place(at) * blankScale + blankBias, 0.0).r > 0.0)
-  {
-    return -0.5;
-  }
+  visible = IsBlanked(at) ? 0.0 : visible;
 #endif
   return visible - 0.5;
 }
@@ -97,14 +97,6 @@ bool FetchScalars(vec3 at, out vec4 scalars)
 {
   return FetchVisibility(at, scalars) >= 0.0;
 }
-#else
-// False where there is nothing to see.
-bool FetchScalars(vec3 at, out vec4 scalars)
-{
-  scalars = textureLod(volumeTexture, Place(at), 0.0) * scalarScale + scalarBias;
-  return true;
-}
-#endif
 
 #ifdef TEXTURE_SLICE_SECOND_ARRAY
 // The array that two-dimensional functions have in place of the gradient magnitude.
@@ -210,20 +202,14 @@ vec4 Gradient(vec4 scalars, int component)
 uniform vec3 cropLow;
 uniform vec3 cropHigh;
 uniform int cropFlags;
-
-bool IsCropped(vec3 at)
-{
-  ivec3 region = ivec3(greaterThanEqual(at, cropLow)) +
-    ivec3(greaterThan(at, cropHigh));
-  return ((cropFlags >> (region.x + 3 * region.y + 9 * region.z)) & 1) == 0;
-}
 #endif
 
 // Whether cropping and mask leave what is there.
 bool IsLeft(vec3 at)
 {
 #ifdef TEXTURE_SLICE_CROPPED
-  if (IsCropped(at))
+  ivec3 region = ivec3(greaterThanEqual(at, cropLow)) + ivec3(greaterThan(at, cropHigh));
+  if (((cropFlags >> (region.x + 3 * region.y + 9 * region.z)) & 1) == 0)
   {
     return false;
   }

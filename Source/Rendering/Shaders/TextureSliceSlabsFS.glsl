@@ -8,23 +8,16 @@ uniform TEXTURE_SLICE_INTEGRAL_TABLE integralTable;
 // The number of the last entry, that of the scalar 1.
 uniform float lastIntegral;
 
-// Scalars at one end of a slab.
 struct SlabEnd
 {
   vec4 scalars;
-#ifdef TEXTURE_SLICE_HIDING
   float visible; // below 0: hidden
-#endif
 };
 
 SlabEnd FetchEnd(vec3 at)
 {
   SlabEnd end;
-#ifdef TEXTURE_SLICE_HIDING
   end.visible = FetchVisibility(at, end.scalars);
-#else
-  FetchScalars(at, end.scalars);
-#endif
   return end;
 }
 
@@ -32,15 +25,11 @@ SlabEnd FetchEnd(vec3 at)
 // one half.
 float FindVisibleShare(SlabEnd front, SlabEnd back)
 {
-#ifdef TEXTURE_SLICE_HIDING
   if ((front.visible < 0.0) == (back.visible < 0.0))
   {
     return front.visible < 0.0 ? 0.0 : 1.0;
   }
   return max(front.visible, back.visible) / abs(front.visible - back.visible);
-#else
-  return 1.0;
-#endif
 }
 
 #define ENDS (TEXTURE_SLICE_SLABS + 1)
@@ -48,7 +37,6 @@ float FindVisibleShare(SlabEnd front, SlabEnd back)
 // A hidden end has the scalars of a visible end beside it.
 void FillHiddenEnds(inout SlabEnd ends[ENDS])
 {
-#ifdef TEXTURE_SLICE_HIDING
   for (int i = 0; i < ENDS; ++i)
   {
     int before = max(i - 1, 0);
@@ -58,7 +46,6 @@ void FillHiddenEnds(inout SlabEnd ends[ENDS])
       ends[i].scalars = ends[before].visible < 0.0 ? ends[after].scalars : ends[before].scalars;
     }
   }
-#endif
 }
 
 // The scalars at the ends of the slabs and in their middles, the nearest first.
@@ -67,12 +54,10 @@ void FillHiddenEnds(inout SlabEnd ends[ENDS])
 // The second difference of the scalars about three ends in a row.
 vec4 FindBend(SlabEnd before, SlabEnd here, SlabEnd after)
 {
-#ifdef TEXTURE_SLICE_HIDING
   if (min(min(before.visible, here.visible), after.visible) < 0.0)
   {
     return vec4(0.0);
   }
-#endif
   return before.scalars - 2.0 * here.scalars + after.scalars;
 }
 
@@ -102,15 +87,9 @@ void FindPoints(SlabEnd ends[ENDS], out vec4 points[POINTS])
 }
 
 // Integrals are read at whole entries, because interpolating two of them costs a software renderer
-// twice as much.
-float FindEntry(float scalar)
-{
-  return floor(clamp(scalar * lastIntegral, 0.0, lastIntegral - 1.0) + 0.5);
-}
-
-// Where two scalars in a row have the same entry, the second one has the entry on its other side: for
-// equal scalars the mean between the two entries about them is the limit.
-float FindNextEntry(float before, float scalar)
+// twice as much. Where two scalars in a row have the same entry, the second one has the entry on its
+// other side: for equal scalars the mean between the two entries about them is the limit.
+float FindEntry(float scalar, float before)
 {
   float place = clamp(scalar * lastIntegral, 0.0, lastIntegral - 1.0);
   float entry = floor(place + 0.5);
@@ -145,7 +124,7 @@ vec4 IntegrateSlab(
   vec4 color = vec4(0.0);
   for (int part = 0; part < 2; ++part)
   {
-    float next = FindNextEntry(entry, part == 0 ? middle : back);
+    float next = FindEntry(part == 0 ? middle : back, entry);
     vec4 behind = FetchIntegrals(integralTable, next, row);
     color = AddPart(color, integrals, behind, 0.5 * units / abs(next - entry));
     entry = next;
@@ -165,7 +144,7 @@ void IntegrateComponent(
   const int component = TEXTURE_SLICE_COMPONENTS - 1;
   const float ratio = 1.0;
 #endif
-  float entry = FindEntry(points[0][component]);
+  float entry = FindEntry(points[0][component], -1.0);
   vec4 integrals = FetchIntegrals(integralTable, entry, row);
   for (int i = 0; i < TEXTURE_SLICE_SLABS; ++i)
   {
@@ -198,20 +177,18 @@ void AddLabel(inout Slab slab, vec3 scalars, float units)
 {
   slab.label = FetchLabel(slab.place);
   int row = FindRow(0, slab.label);
-  float entry = FindEntry(scalars.x);
+  float entry = FindEntry(scalars.x, -1.0);
   vec4 integrals = FetchIntegrals(integralTable, entry, row);
   slab.labelled = IntegrateSlab(scalars.y, scalars.z, units, row, entry, integrals);
 }
 #endif
 
-// Gradient opacity and light on an associated colour.
 vec4 FinishColor(vec4 color, vec4 scalars, int component, int label)
 {
   return color.a > 0.0 ? Finish(vec4(color.rgb / color.a, color.a), scalars, component, label)
                        : vec4(0.0);
 }
 
-// The associated colour of a slab.
 vec4 FinishSlab(Slab slab)
 {
   sampleAt = slab.at;

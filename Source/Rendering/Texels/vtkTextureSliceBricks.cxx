@@ -3,7 +3,6 @@
 
 #include "vtkDataArray.h"
 #include "vtkSMPTools.h"
-#include "vtkTextureSliceScalars.h"
 
 #include <algorithm>
 #include <atomic>
@@ -24,7 +23,6 @@ int ChooseEdge(int longest)
   return std::max(least, (longest + mostBricks - 1) / mostBricks);
 }
 
-/// Finds the ranges of one row of bricks after another.
 template <typename Scalar>
 class RowScanner
 {
@@ -113,7 +111,6 @@ private:
     }
   }
 
-  /// The ranges of a brick's columns.
   void SetRanges(int brick, Range* ranges) const
   {
     const std::size_t components = this->Rows.Components;
@@ -139,7 +136,6 @@ private:
   std::vector<Scalar> High;
 };
 
-/// Makes ranges of values of ranges of codes.
 void ToValues(const vtkTextureSliceCodes& codes, std::vector<Range>& ranges)
 {
   for (Range& range : ranges)
@@ -189,10 +185,12 @@ void vtkTextureSliceBricks::Build(const vtkTextureSliceScalars& source)
   {
     vtkTemplateMacro(scan(VTK_TT()));
   }
-  this->Invisible = invisible;
+  this->HasInvisible = invisible;
   if (source.Codes)
   {
     ToValues(*source.Codes, this->Ranges);
   }
-  this->BuildTime.Modified();
+  vtkTimeStamp now;
+  now.Modified();
+  this->BuildTime = now.GetMTime();
 }

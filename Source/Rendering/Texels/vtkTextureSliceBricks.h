@@ -18,40 +18,24 @@
  * just outside where cell scalars are interpolated across them, count as well. Points (or cells)
  * that are hidden, or of which a component is not finite, do not count.
  */
-class VTKNEXRADRENDERING_EXPORT vtkTextureSliceBricks
+struct VTKNEXRADRENDERING_EXPORT vtkTextureSliceBricks
 {
-public:
   /// Low is above High where there is nothing that counts.
   struct Range
   {
     double Low = std::numeric_limits<double>::infinity();
     double High = -std::numeric_limits<double>::infinity();
-
-    bool operator==(const Range& other) const
-    {
-      return this->Low == other.Low && this->High == other.High;
-    }
   };
 
   /// Goes once over all scalars, on several threads.
   void Build(const vtkTextureSliceScalars& source);
 
-  /// Bricks along each axis.
-  const std::array<int, 3>& GetCount() const { return this->Count; }
-  /// Their edges in box coordinates (0 to 1 along each axis).
-  const std::array<double, 3>& GetEdge() const { return this->Edge; }
+  std::array<int, 3> Count{};   ///< along each axis
+  std::array<double, 3> Edge{}; ///< in box coordinates (0 to 1 along each axis)
   /// One for each component of each brick; the component varies fastest, then x.
-  const std::vector<Range>& GetRanges() const { return this->Ranges; }
-  /// Whether there are texels that do not count.
-  bool HasInvisible() const { return this->Invisible; }
-  vtkMTimeType GetBuildTime() const { return this->BuildTime.GetMTime(); }
-
-private:
-  std::array<int, 3> Count{};
-  std::array<double, 3> Edge{};
   std::vector<Range> Ranges;
-  bool Invisible = false;
-  vtkTimeStamp BuildTime;
+  bool HasInvisible = false; ///< texels that do not count
+  vtkMTimeType BuildTime = 0;
 };
 
 #endif

@@ -7,11 +7,9 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
 #include "vtkRectilinearGrid.h"
-#include "vtkShaderProgram.h"
 #include "vtkTextureSliceOpenGL.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace
 {
@@ -139,11 +137,4 @@ void vtkTextureSliceCoordinates::Update(vtkOpenGLRenderWindow* window)
   this->Texture->Create1DFromRaw(
     static_cast<unsigned int>(this->Width), 4, VTK_FLOAT, entries.data());
   this->Filled = true;
-}
-
-void vtkTextureSliceCoordinates::SetUniforms(vtkShaderProgram* program) const
-{
-  const auto entry = static_cast<float>(1.0 / static_cast<double>(this->Width));
-  const std::array<float, 2> scaleAndBias{1.0f - entry, 0.5f * entry};
-  program->SetUniform2f("coordinateScaleAndBias", scaleAndBias.data());
 }

@@ -14,7 +14,6 @@
 class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkRectilinearGrid;
-class vtkShaderProgram;
 
 /**
  * The slices draw a rectilinear grid as an image of the same arrays in the same bounds. Wherever
@@ -40,8 +39,6 @@ public:
   void Update(vtkOpenGLRenderWindow* window);
   /// One channel for each axis: from the place in the box to the part of the intervals before it.
   vtkTextureObject* GetTexture() const { return this->Texture; }
-  /// Sets how a place in the box becomes one in the table.
-  void SetUniforms(vtkShaderProgram* program) const;
 
 private:
   void Fill(std::vector<float>& entries) const;

@@ -2,16 +2,11 @@
 #include "vtkTextureSliceScalars.h"
 
 #include "vtkCellData.h"
-#include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
-#include "vtkUnsignedCharArray.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <string>
 
 namespace
@@ -69,12 +64,10 @@ vtkTextureSliceCodes::vtkTextureSliceCodes(
       seen.push_back(values[code]);
     }
   }
-  this->Ascending = std::is_sorted(seen.begin(), seen.end());
   std::sort(seen.begin(), seen.end());
   seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
   if (!seen.empty())
   {
-    this->WholeRange = {seen.front(), seen.back()};
     this->FindBytes(seen);
   }
 }
@@ -103,8 +96,9 @@ void vtkTextureSliceCodes::FindBytes(const std::vector<double>& seen)
   this->Base = seen.front();
   for (std::size_t code = 0; code < Count; ++code)
   {
-    this->Bytes[code] =
-      this->IsHidden(code) ? 0 : static_cast<unsigned char>(std::lround(place(this->Values[code])));
+    this->Bytes[code] = this->Visible[code] == 0
+                          ? 0
+                          : static_cast<unsigned char>(std::lround(place(this->Values[code])));
   }
 }
 
@@ -122,8 +116,16 @@ std::array<unsigned char, 2> vtkTextureSliceCodes::FindInterval() const
 
 std::array<double, 2> vtkTextureSliceCodes::GetRange(std::size_t low, std::size_t high) const
 {
-  return this->Ascending ? std::array<double, 2>{this->Values[low], this->Values[high]}
-                         : this->WholeRange;
+  std::array<double, 2> range{
+    std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (std::size_t code = low; code <= high; ++code)
+  {
+    if (this->Visible[code] != 0)
+    {
+      range = {std::min(range[0], this->Values[code]), std::max(range[1], this->Values[code])};
+    }
+  }
+  return range;
 }
 
 std::array<int, 3> vtkTextureSliceScalars::GetSize(vtkImageData* image, bool cellData)

@@ -16,9 +16,7 @@
 #include <type_traits>
 #include <vector>
 
-class vtkDataArray;
 class vtkImageData;
-class vtkUnsignedCharArray;
 
 /**
  * What the codes of a volume stand for. Scalars NAME of one unsigned char are codes where the
@@ -27,9 +25,8 @@ class vtkUnsignedCharArray;
  * hides it. The picture is that of scalars with these values and flags; codes whose value is not
  * finite are hidden too.
  */
-class VTKNEXRADRENDERING_EXPORT vtkTextureSliceCodes
+struct VTKNEXRADRENDERING_EXPORT vtkTextureSliceCodes
 {
-public:
   static constexpr std::size_t Count = 256;
 
   /// Nothing where the scalars are no codes.
@@ -44,33 +41,21 @@ public:
     return this->Values == other.Values && this->Visible == other.Visible;
   }
 
-  bool IsHidden(std::size_t code) const { return this->Visible[code] == 0; }
-  /// 1 for each code that is seen, else 0.
-  const unsigned char* GetVisible() const { return this->Visible.data(); }
   /// The first and the last code that is seen, where all between them are seen; else {255, 0}.
   std::array<unsigned char, 2> FindInterval() const;
-  double GetValue(std::size_t code) const { return this->Values[code]; }
-  /// Least and greatest value of the codes from `low` to `high` that are seen. Exact where the
-  /// values ascend with the codes; else those of all codes that are seen.
+  /// Least and greatest value of the codes from `low` to `high` that are seen.
   std::array<double, 2> GetRange(std::size_t low, std::size_t high) const;
 
-  /// Whether a byte can hold each value that is seen: the value of byte b is b * step + base.
-  bool HasBytes() const { return this->Step > 0.0; }
-  double GetStep() const { return this->Step; }
-  double GetBase() const { return this->Base; }
-  unsigned char GetByte(std::size_t code) const { return this->Bytes[code]; }
+  std::array<double, Count> Values;
+  std::array<unsigned char, Count> Visible{}; ///< 1 for each code that is seen, else 0
+  /// Where a byte can hold each value that is seen: the value of byte b is b * step + base.
+  double Step = 0.0; ///< 0: the values lie on no 256 even steps
+  double Base = 0.0;
+  std::array<unsigned char, Count> Bytes{};
 
 private:
   /// @param seen the values of codes that are not hidden, ascending.
   void FindBytes(const std::vector<double>& seen);
-
-  std::array<double, Count> Values;
-  std::array<unsigned char, Count> Visible{};
-  bool Ascending = true;
-  std::array<double, 2> WholeRange{}; ///< of the codes that are seen
-  double Step = 0.0;                  ///< 0: the values lie on no 256 even steps
-  double Base = 0.0;
-  std::array<unsigned char, Count> Bytes{};
 };
 
 /// One texel for each point, or each cell.
@@ -109,7 +94,7 @@ public:
     , Height(static_cast<std::size_t>(source.Size[1]))
     , Scalars(static_cast<const Scalar*>(source.Scalars->GetVoidPointer(0)))
     , Ghosts(source.Ghosts != nullptr ? source.Ghosts->GetPointer(0) : nullptr)
-    , VisibleCodes(source.Codes ? source.Codes->GetVisible() : nullptr)
+    , VisibleCodes(source.Codes ? source.Codes->Visible.data() : nullptr)
     , CodeInterval(
         source.Codes ? source.Codes->FindInterval() : std::array<unsigned char, 2>{255, 0})
   {

@@ -3,11 +3,8 @@
 
 #include "vtkDataArray.h"
 #include "vtkSMPTools.h"
-#include "vtkTextureSliceScalars.h"
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <type_traits>
@@ -49,7 +46,6 @@ void MixRow(
   }
 }
 
-/// Sums up one row of blocks.
 template <typename Scalar>
 void SumRowOfBlocks(const vtkTextureSlice::Rows<Scalar>& rows, const Box& box, std::uint64_t* sums)
 {
@@ -79,10 +75,8 @@ void Add(const Box& box, std::vector<Box>& boxes)
   before != boxes.end() ? static_cast<void>(before->End[1] = box.End[1]) : boxes.push_back(box);
 }
 
-using Box = vtkTextureSliceBlocks::Box;
 using Component = vtkTextureSliceComponent;
 
-/// What the texels of a type of scalars are.
 template <typename Scalar>
 using TexelOf = std::conditional_t<std::is_integral_v<Scalar> && sizeof(Scalar) <= 2,
   std::conditional_t<sizeof(Scalar) == 1, std::uint8_t, std::uint16_t>, float>;
@@ -159,7 +153,6 @@ void EncodeRow(const Scalar* scalars, std::size_t components, const unsigned cha
   }
 }
 
-/// The texels of a box, x fastest.
 template <typename Scalar, typename Texel, typename Convert>
 void EncodeRows(const vtkTextureSlice::Rows<Scalar>& rows, const Box& box, bool masked,
   Texel* texels, const Convert& toTexel)
@@ -252,17 +245,17 @@ vtkTextureSliceTexels::vtkTextureSliceTexels(
   const vtkTextureSliceScalars& source, const vtkTextureSliceBricks& bricks)
   : SourceType(source.Scalars->GetDataType())
   , Size(source.Size)
-  , Masked(bricks.HasInvisible())
+  , Masked(bricks.HasInvisible)
   , Codes(source.Codes)
   , Components(static_cast<std::size_t>(source.Scalars->GetNumberOfComponents()))
 {
   for (std::size_t c = 0; c < this->Components.size(); ++c)
   {
     vtkTextureSliceBricks::Range range;
-    for (std::size_t i = c; i < bricks.GetRanges().size(); i += this->Components.size())
+    for (std::size_t i = c; i < bricks.Ranges.size(); i += this->Components.size())
     {
-      range.Low = std::min(range.Low, bricks.GetRanges()[i].Low);
-      range.High = std::max(range.High, bricks.GetRanges()[i].High);
+      range.Low = std::min(range.Low, bricks.Ranges[i].Low);
+      range.High = std::max(range.High, bricks.Ranges[i].High);
     }
     Component& component = this->Components[c];
     component.Range =
@@ -277,9 +270,8 @@ vtkTextureSliceTexels::vtkTextureSliceTexels(
   if (this->AreCodeBytes())
   {
     this->ScalarType = VTK_UNSIGNED_CHAR;
-    this->Components.front().Scale =
-      std::numeric_limits<std::uint8_t>::max() * this->Codes->GetStep();
-    this->Components.front().Bias = this->Codes->GetBase();
+    this->Components.front().Scale = std::numeric_limits<std::uint8_t>::max() * this->Codes->Step;
+    this->Components.front().Bias = this->Codes->Base;
   }
 }
 
@@ -326,14 +318,14 @@ void vtkTextureSliceTexels::EncodeBox(
   if (this->AreCodeBytes())
   {
     encode(vtkTextureSlice::Rows<unsigned char>(source), std::uint8_t(),
-      [this](unsigned char code, std::size_t) { return this->Codes->GetByte(code); });
+      [this](unsigned char code, std::size_t) { return this->Codes->Bytes[code]; });
     return;
   }
   if (this->Codes)
   {
     encode(vtkTextureSlice::Rows<unsigned char>(source), float(),
       [this](unsigned char code, std::size_t)
-      { return static_cast<float>(this->Codes->GetValue(code)); });
+      { return static_cast<float>(this->Codes->Values[code]); });
     return;
   }
   switch (this->SourceType)

@@ -73,24 +73,18 @@ struct vtkTextureSliceChanges
  * what lies between two texels is then what lies between their values. Where some are invisible,
  * each texel has one more component, 1 where it is visible, else 0 as the others are then.
  */
-class vtkTextureSliceTexels
+struct vtkTextureSliceTexels
 {
-public:
   vtkTextureSliceTexels() = default;
   vtkTextureSliceTexels(const vtkTextureSliceScalars& source, const vtkTextureSliceBricks& bricks);
 
-  /// VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT or VTK_FLOAT.
-  int GetScalarType() const { return this->ScalarType; }
   /// Whether the texels are bytes that stand for the values of codes.
-  bool AreCodeBytes() const { return this->Codes && this->Codes->HasBytes(); }
-  /// Whether the component of the mask is there.
-  bool IsMasked() const { return this->Masked; }
+  bool AreCodeBytes() const { return this->Codes && this->Codes->Step > 0.0; }
   /// Of a texel: those of the scalars, and the mask.
   int CountChannels() const
   {
     return static_cast<int>(this->Components.size()) + (this->Masked ? 1 : 0);
   }
-  const std::vector<vtkTextureSliceComponent>& GetComponents() const { return this->Components; }
 
   /// Whether the same scalars become the same texels.
   bool IsLike(const vtkTextureSliceTexels& other) const;
@@ -99,16 +93,16 @@ public:
   vtkTextureSliceChanges Encode(
     const vtkTextureSliceScalars& source, std::vector<vtkTextureSliceBlocks::Box> boxes) const;
 
+  int SourceType = VTK_VOID;
+  int ScalarType = VTK_FLOAT; ///< VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT or VTK_FLOAT
+  std::array<int, 3> Size{};
+  bool Masked = false; ///< whether the component of the mask is there
+  std::optional<vtkTextureSliceCodes> Codes;
+  std::vector<vtkTextureSliceComponent> Components;
+
 private:
   void EncodeBox(const vtkTextureSliceScalars& source, const vtkTextureSliceBlocks::Box& box,
     unsigned char* texels) const;
-
-  int SourceType = VTK_VOID;
-  int ScalarType = VTK_FLOAT;
-  std::array<int, 3> Size{};
-  bool Masked = false;
-  std::optional<vtkTextureSliceCodes> Codes;
-  std::vector<vtkTextureSliceComponent> Components;
 };
 
 #endif

@@ -2,13 +2,11 @@
 #include "vtkTextureSliceTexture.h"
 
 #include "vtkDataArray.h"
-#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtkShaderProgram.h"
 #include "vtkTextureSliceOpenGL.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -43,28 +41,22 @@ std::string ToText(const std::array<int, 3>& size)
          std::to_string(size[2]);
 }
 
-/// Whether scalars of that number and type can become a texture.
-bool Check(const vtkTextureSliceScalars& source, std::string& error)
+/// Why scalars of that number or type cannot become a texture; or an empty text.
+std::string FindUnsupported(const vtkTextureSliceScalars& source)
 {
   const auto [nx, ny, nz] = source.Size;
   const auto expected = static_cast<vtkIdType>(nx) * ny * nz;
   if (source.Scalars->GetNumberOfTuples() != expected)
   {
-    error = "the scalars have " + std::to_string(source.Scalars->GetNumberOfTuples()) +
-            " values, the image needs " + std::to_string(expected);
-    return false;
+    return "the scalars have " + std::to_string(source.Scalars->GetNumberOfTuples()) +
+           " values, the image needs " + std::to_string(expected);
   }
-  bool isNumber = false;
   switch (source.Scalars->GetDataType())
   {
-    vtkTemplateMacro(isNumber = std::is_arithmetic_v<VTK_TT>);
+    vtkTemplateMacro(if (std::is_arithmetic_v<VTK_TT>) { return ""; });
   }
-  if (!isNumber)
-  {
-    error = std::string("scalars of type ") + source.Scalars->GetDataTypeAsString() +
-            " cannot be drawn: convert them to a number type";
-  }
-  return isNumber;
+  return std::string("scalars of type ") + source.Scalars->GetDataTypeAsString() +
+         " cannot be drawn: convert them to a number type";
 }
 
 } // namespace
@@ -134,46 +126,47 @@ vtkTextureSliceChanges vtkTextureSliceChecksums::TakeChanges(
     source, this->Blocks.FindChanges(comparable ? &before->Blocks : nullptr));
 }
 
-bool vtkTextureSliceTexture::Update(vtkOpenGLRenderWindow* window,
-  const vtkTextureSliceScalars& source, bool nearest, std::string& error)
+std::string vtkTextureSliceTexture::Update(
+  vtkOpenGLRenderWindow* window, const vtkTextureSliceScalars& source, bool nearest)
 {
   vtkTextureSliceSetSampling(this->Texture, nearest);
   const vtkTextureSliceChecksums::Key key = vtkTextureSliceChecksums::MakeKey(source);
   const bool there = this->Texture->GetHandle() != 0 && this->Texture->GetContext() == window;
   if (there && this->Checksum != nullptr && key == this->Last)
   {
-    return true;
+    return "";
   }
   // Nothing is known of the texture, should an error leave it half made.
   const auto before = std::exchange(this->Checksum, nullptr);
-  if (!Check(source, error))
+  std::string error = FindUnsupported(source);
+  if (!error.empty())
   {
-    return false;
+    return error;
   }
   const auto checksum = vtkTextureSliceChecksums::Get(source);
-  this->Texels = checksum->GetTexels();
+  this->Texels = checksum->Texels;
   if (this->Texels.CountChannels() > 4)
   {
-    error = "four components with hidden points, or with scalars that are not finite, are not "
-            "supported: leave out a component or the ghost array";
-    return false;
+    return "four components with hidden points, or with scalars that are not finite, are not "
+           "supported: leave out a component or the ghost array";
   }
   const auto allocated = this->Allocated;
-  if (!this->Allocate(window, source.Size, error))
+  error = this->Allocate(window, source.Size);
+  if (!error.empty())
   {
-    return false;
+    return error;
   }
   const bool kept = there && allocated == this->Allocated;
   this->Upload(window, checksum->TakeChanges(source, kept ? before : nullptr));
   this->Checksum = checksum;
   this->Last = key;
-  return true;
+  return "";
 }
 
 void vtkTextureSliceTexture::Upload(
   vtkOpenGLRenderWindow* window, const vtkTextureSliceChanges& changes)
 {
-  const int scalarType = this->Texels.GetScalarType();
+  const int scalarType = this->Texels.ScalarType;
   const unsigned int format =
     this->Texture->GetDefaultFormat(scalarType, this->Texels.CountChannels(), false);
   const auto type = static_cast<unsigned int>(this->Texture->GetDefaultDataType(scalarType));
@@ -188,20 +181,19 @@ void vtkTextureSliceTexture::Upload(
   this->Texture->Deactivate();
 }
 
-bool vtkTextureSliceTexture::Allocate(
-  vtkOpenGLRenderWindow* window, const std::array<int, 3>& size, std::string& error)
+std::string vtkTextureSliceTexture::Allocate(
+  vtkOpenGLRenderWindow* window, const std::array<int, 3>& size)
 {
   const int limit = vtkTextureObject::GetMaximumTextureSize3D(window);
   if (*std::max_element(size.begin(), size.end()) > limit)
   {
-    error = "the volume has " + ToText(size) + " voxels, this OpenGL takes at most " +
-            std::to_string(limit) + " along an axis: resample it to " +
-            ToText({std::min(size[0], limit), std::min(size[1], limit), std::min(size[2], limit)}) +
-            " or less (nexrad3d grid --dims)";
-    return false;
+    return "the volume has " + ToText(size) + " voxels, this OpenGL takes at most " +
+           std::to_string(limit) + " along an axis: resample it to " +
+           ToText({std::min(size[0], limit), std::min(size[1], limit), std::min(size[2], limit)}) +
+           " or less (nexrad3d grid --dims)";
   }
   const int channels = this->Texels.CountChannels();
-  const int scalarType = this->Texels.GetScalarType();
+  const int scalarType = this->Texels.ScalarType;
   this->Texture->SetContext(window);
   const bool wide = this->Texels.AreCodeBytes() && IsLlvmpipe();
   const unsigned int format = this->Texture->GetDefaultInternalFormat(
@@ -209,7 +201,7 @@ bool vtkTextureSliceTexture::Allocate(
   const std::array<int, 4> wanted{size[0], size[1], size[2], static_cast<int>(format)};
   if (this->Texture->GetHandle() != 0 && wanted == this->Allocated)
   {
-    return true;
+    return "";
   }
   this->Texture->ResetFormatAndType();
   this->Texture->SetInternalFormat(format);
@@ -219,37 +211,9 @@ bool vtkTextureSliceTexture::Allocate(
     nullptr);
   if (!created || glGetError() != GL_NO_ERROR)
   {
-    error = "OpenGL could not make a texture of " + ToText(size) +
-            " voxels: it may lack the memory; fewer voxels need less (nexrad3d grid --dims)";
-    return false;
+    return "OpenGL could not make a texture of " + ToText(size) +
+           " voxels: it may lack the memory; fewer voxels need less (nexrad3d grid --dims)";
   }
   this->Allocated = wanted;
-  return true;
-}
-
-bool vtkTextureSliceBlanks::Update(
-  vtkOpenGLRenderWindow* window, vtkImageData* image, bool cellData, std::string& error)
-{
-  vtkUnsignedCharArray* flags = vtkTextureSliceScalars::FindGhosts(image, !cellData);
-  this->Used = flags != nullptr && flags->GetRange()[1] > 0.0;
-  if (!this->Used)
-  {
-    return true;
-  }
-  const auto size = vtkTextureSliceScalars::GetSize(image, !cellData);
-  const auto texels = vtkTextureSliceScalars::GetSize(image, cellData);
-  // Scalars of points: half a texel before the first cell. Scalars of cells: half a point after.
-  const float offset = cellData ? 0.5f : -0.5f;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    this->Scale[axis] = static_cast<float>(texels[axis]) / static_cast<float>(size[axis]);
-    this->Bias[axis] = offset / static_cast<float>(size[axis]);
-  }
-  return this->Texture.Update(window, {flags, size}, true, error);
-}
-
-void vtkTextureSliceBlanks::SetUniforms(vtkShaderProgram* program) const
-{
-  program->SetUniform3f("blankScale", this->Scale.data());
-  program->SetUniform3f("blankBias", this->Bias.data());
+  return "";
 }

@@ -17,10 +17,8 @@
 #include <tuple>
 #include <vector>
 
-class vtkImageData;
 class vtkInformationObjectBaseKey;
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
 
 /**
  * How scalars become texels, their bricks and the checksums of their blocks. Making one takes a
@@ -40,11 +38,9 @@ public:
     bool, std::optional<vtkTextureSliceCodes>, std::array<std::vector<double>, 3>>;
   static Key MakeKey(const vtkTextureSliceScalars& source);
 
-  /**
-   * Makes the checksum and leaves it with the array, whose size must be that of the source. With
-   * the checksum of the scalars that are expected to be in the texture before, the texels that
-   * change are encoded as well, to stay until TakeChanges.
-   */
+  /// Makes the checksum and leaves it with the array, whose size must be that of the source. With
+  /// the checksum of the scalars that are expected to be in the texture before, the texels that
+  /// change are encoded as well, to stay until TakeChanges.
   static vtkSmartPointer<vtkTextureSliceChecksums> Prepare(
     const vtkTextureSliceScalars& source, const vtkTextureSliceChecksums* before);
   /// The checksum that was prepared, if nothing has changed since, or a new one.
@@ -55,9 +51,8 @@ public:
   vtkTextureSliceChanges TakeChanges(
     const vtkTextureSliceScalars& source, const vtkTextureSliceChecksums* before);
 
-  /// How the scalars become texels, masked if one is hidden or not finite.
-  const vtkTextureSliceTexels& GetTexels() const { return this->Texels; }
-  const vtkTextureSliceBricks& GetBricks() const { return this->Bricks; }
+  vtkTextureSliceTexels Texels; ///< how the scalars become them
+  vtkTextureSliceBricks Bricks;
 
 protected:
   vtkTextureSliceChecksums() = default;
@@ -72,8 +67,6 @@ private:
   void Build(const vtkTextureSliceScalars& source);
 
   Key Made;
-  vtkTextureSliceTexels Texels;
-  vtkTextureSliceBricks Bricks;
   vtkTextureSliceBlocks Blocks;
   Key PreparedOver; ///< what Prepared has to be uploaded over
   std::optional<vtkTextureSliceChanges> Prepared;
@@ -82,37 +75,29 @@ private:
 /**
  * One to four components of scalars of any type, one texel for each point (or cell), as
  * vtkTextureSliceTexels encodes them. Of scalars that take the place of others of the same size and
- * type, only the blocks that differ are uploaded.
- *
- * Points (or cells) that vtkGhostType marks with any flag and those with a scalar that is not
- * finite are masked: the texture then has one more component, 1 at visible points and 0 at hidden
- * ones, where the others are 0 as well. OpenGL's textures have four components at most, so four
- * components of scalars cannot be masked.
+ * type, only the blocks that differ are uploaded. OpenGL's textures have four components at most,
+ * so four components of scalars cannot be masked.
  */
 class vtkTextureSliceTexture
 {
 public:
-  /**
-   * Uploads the scalars if they, the ghost array, the dimensions or the window changed.
-   * @param nearest whether scalars are not interpolated.
-   * @return false, with one line in @a error, if the volume does not fit.
-   */
-  bool Update(vtkOpenGLRenderWindow* window, const vtkTextureSliceScalars& source, bool nearest,
-    std::string& error);
+  /// Uploads the scalars if they, the ghost array, the dimensions or the window changed.
+  /// @return why the volume does not fit, in one line; or nothing
+  std::string Update(
+    vtkOpenGLRenderWindow* window, const vtkTextureSliceScalars& source, bool nearest);
 
   vtkTextureObject* GetTexture() const { return this->Texture; }
   /// The scalars' ranges in small parts of the volume; after an Update without error.
-  const vtkTextureSliceBricks& GetBricks() const { return this->Checksum->GetBricks(); }
-  /// Whether the component of the mask is there.
-  bool IsMasked() const { return this->Texels.IsMasked(); }
+  const vtkTextureSliceBricks& GetBricks() const { return this->Checksum->Bricks; }
+  bool IsMasked() const { return this->Texels.Masked; }
   /// How a texel t (0 to 1 unless float) of each component becomes its scalar.
   const std::vector<vtkTextureSliceComponent>& GetComponents() const
   {
-    return this->Texels.GetComponents();
+    return this->Texels.Components;
   }
 
 private:
-  bool Allocate(vtkOpenGLRenderWindow* window, const std::array<int, 3>& size, std::string& error);
+  std::string Allocate(vtkOpenGLRenderWindow* window, const std::array<int, 3>& size);
   void Upload(vtkOpenGLRenderWindow* window, const vtkTextureSliceChanges& changes);
 
   vtkNew<vtkTextureObject> Texture;
@@ -121,33 +106,6 @@ private:
   vtkSmartPointer<vtkTextureSliceChecksums> Checksum;
   vtkTextureSliceChecksums::Key Last;
   std::array<int, 4> Allocated{}; ///< size and internal format
-};
-
-/**
- * A sample is left out where the cell that it lies in, or the point that is nearest to it, has a
- * flag. Flags that belong to the scalars themselves are part of vtkTextureSliceTexture.
- */
-class vtkTextureSliceBlanks
-{
-public:
-  /**
-   * Uploads the flags if they or the window changed.
-   * @param cellData whether the scalars are those of cells.
-   * @return false, with one line in @a error, if they do not fit a texture.
-   */
-  bool Update(
-    vtkOpenGLRenderWindow* window, vtkImageData* image, bool cellData, std::string& error);
-  /// Whether there is a flag that hides something.
-  bool IsUsed() const { return this->Used; }
-  vtkTextureObject* GetTexture() const { return this->Texture.GetTexture(); }
-  void SetUniforms(vtkShaderProgram* program) const;
-
-private:
-  vtkTextureSliceTexture Texture;
-  bool Used = false;
-  /// From texture coordinates of the scalars to those of the flags.
-  std::array<float, 3> Scale{};
-  std::array<float, 3> Bias{};
 };
 
 #endif

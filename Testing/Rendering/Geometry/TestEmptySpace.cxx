@@ -98,9 +98,9 @@ void ExpectRangesOfVoxels(bool cellData)
   RandomVolume volume(cellData);
   vtkTextureSliceBricks bricks;
   bricks.Build(volume.Source);
-  const auto [nx, ny, nz] = bricks.GetCount();
+  const auto [nx, ny, nz] = bricks.Count;
   ASSERT_GT(nx * ny * nz, 20);
-  auto range = bricks.GetRanges().begin();
+  auto range = bricks.Ranges.begin();
   for (int brick = 0; brick < nx * ny * nz; ++brick)
   {
     Vector low;
@@ -108,8 +108,8 @@ void ExpectRangesOfVoxels(bool cellData)
     const std::array<int, 3> index{brick % nx, brick / nx % ny, brick / (nx * ny)};
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      low[axis] = index[axis] * bricks.GetEdge()[axis];
-      high[axis] = std::min(1.0, (index[axis] + 1) * bricks.GetEdge()[axis]);
+      low[axis] = index[axis] * bricks.Edge[axis];
+      high[axis] = std::min(1.0, (index[axis] + 1) * bricks.Edge[axis]);
     }
     for (int component = 0; component < 2; ++component, ++range)
     {
@@ -118,7 +118,7 @@ void ExpectRangesOfVoxels(bool cellData)
       EXPECT_EQ(range->High, expected.High) << "brick " << brick;
     }
   }
-  EXPECT_EQ(range, bricks.GetRanges().end());
+  EXPECT_EQ(range, bricks.Ranges.end());
 }
 
 } // namespace
@@ -216,15 +216,15 @@ TEST(EmptySpace, NoCubeAheadOfARayHasAVisibleBrick)
         seen.push_back(IndexOf(brick));
       }
     }
-    for (std::size_t i = 0; i < map.GetDistances().size(); ++i)
+    for (std::size_t i = 0; i < map.Distances.size(); ++i)
     {
       const std::size_t octant = i / visible.size();
       const std::array<int, 3> here = IndexOf(i % visible.size());
-      ASSERT_EQ(map.GetDistances()[i], FindNearestAhead(here, octant, seen))
+      ASSERT_EQ(map.Distances[i], FindNearestAhead(here, octant, seen))
         << number << " visible, octant " << octant << ", brick " << i % visible.size();
     }
-    EXPECT_EQ(map.GetVisibleShare(),
-      static_cast<double>(seen.size()) / static_cast<double>(visible.size()));
+    EXPECT_EQ(
+      map.VisibleShare, static_cast<double>(seen.size()) / static_cast<double>(visible.size()));
   }
 }
 
@@ -237,7 +237,7 @@ TEST(EmptySpace, TheSeenPartIsThatAboutAllVisibleBricks)
   const auto find = [&]
   {
     map.Build(Bricks, {1.0 / 19, 1.0 / 11, 1.0 / 69.5}, visible); // the last along z is cut
-    return map.FindSeen();
+    return map.Seen;
   };
   show(3, 10, 5);
   show(7, 2, 6);
@@ -257,7 +257,7 @@ TEST(EmptySpace, WithoutVisibleBricksNothingIsSeen)
 {
   vtkTextureSliceDistanceMap map;
   map.Build(Bricks, {1.0 / 19, 1.0 / 11, 1.0 / 70}, std::vector<unsigned char>(19 * 11 * 70, 0));
-  EXPECT_EQ(map.GetVisibleShare(), 0.0);
-  EXPECT_EQ(*std::min_element(map.GetDistances().begin(), map.GetDistances().end()),
+  EXPECT_EQ(map.VisibleShare, 0.0);
+  EXPECT_EQ(*std::min_element(map.Distances.begin(), map.Distances.end()),
     vtkTextureSliceDistanceMap::MostDistance);
 }

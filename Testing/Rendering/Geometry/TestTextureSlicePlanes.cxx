@@ -85,7 +85,7 @@ Vector Unproject(const vtkTextureSliceView& view, double x, double y, double dep
 
 double At(const vtkTextureSlicePixelMap& map, double x, double y, std::size_t axis)
 {
-  return map.Right[axis] * x + map.Up[axis] * y + map.Origin[axis];
+  return map[0][axis] * x + map[1][axis] * y + map[2][axis];
 }
 
 vtkTextureSlicePlanes Place(const vtkTextureSliceView& view)
@@ -113,9 +113,9 @@ double FindDistanceToFaces(const vtkTextureSliceView& view, const vtkTextureSlic
 {
   const double middle = Depth(view, {0.5, 0.5, 0.5});
   double least = 1.0;
-  for (int i = 0; i < planes.GetNumberOfSlices(); ++i)
+  for (int i = 0; i < planes.NumberOfSlices; ++i)
   {
-    const double depth = planes.GetNearestDepth() + i * planes.GetDepthStep();
+    const double depth = planes.NearestDepth + i * planes.DepthStep;
     const double z = 0.5 - (depth - middle) / view.BoxToCamera[10];
     const double voxels = (z - view.FirstFace[2]) * view.Faces[2];
     least = std::min(least, std::abs(voxels - std::round(voxels)));
@@ -140,9 +140,9 @@ TEST(TextureSlicePlanes, LieInTheMiddleOfEqualIntervals)
     farthest = std::max(farthest, depth);
   }
   const vtkTextureSlicePlanes planes = Place(view);
-  EXPECT_EQ(planes.GetNumberOfSlices(), 7);
-  EXPECT_NEAR(planes.GetDepthStep(), (farthest - nearest) / 7.0, 1e-12);
-  EXPECT_NEAR(planes.GetNearestDepth(), nearest + 0.5 * planes.GetDepthStep(), 1e-12);
+  EXPECT_EQ(planes.NumberOfSlices, 7);
+  EXPECT_NEAR(planes.DepthStep, (farthest - nearest) / 7.0, 1e-12);
+  EXPECT_NEAR(planes.NearestDepth, nearest + 0.5 * planes.DepthStep, 1e-12);
 }
 
 TEST(TextureSlicePlanes, NearPlaneCutsTheBox)
@@ -151,11 +151,11 @@ TEST(TextureSlicePlanes, NearPlaneCutsTheBox)
   view.BoxToCamera = {1, 0, 0, -0.5, 0, 1, 0, -0.5, 0, 0, 1, -0.5, 0, 0, 0, 1};
   view.NearDepth = 0.1;
   view.NumberOfSlices = 4;
-  EXPECT_NEAR(Place(view).GetDepthStep(), 0.1, 1e-12);
-  EXPECT_NEAR(Place(view).GetNearestDepth(), 0.15, 1e-12);
+  EXPECT_NEAR(Place(view).DepthStep, 0.1, 1e-12);
+  EXPECT_NEAR(Place(view).NearestDepth, 0.15, 1e-12);
 
   view.NearDepth = 0.6; // the box ends at 0.5
-  EXPECT_EQ(Place(view).GetNumberOfSlices(), 0);
+  EXPECT_EQ(Place(view).NumberOfSlices, 0);
 }
 
 TEST(TextureSlicePlanes, StepIsADataLength)
@@ -166,10 +166,10 @@ TEST(TextureSlicePlanes, StepIsADataLength)
   view.EdgeLength = {1.0, 1.0, 4.0};
   view.NumberOfSlices = 0;
   view.SampleDistance = 0.5;
-  EXPECT_EQ(Place(view).GetNumberOfSlices(), 8);
-  EXPECT_NEAR(Place(view).GetDataStep(), 0.5, 1e-12);
+  EXPECT_EQ(Place(view).NumberOfSlices, 8);
+  EXPECT_NEAR(Place(view).DataStep, 0.5, 1e-12);
   view.SampleDistance = 0.49;
-  EXPECT_EQ(Place(view).GetNumberOfSlices(), 9);
+  EXPECT_EQ(Place(view).NumberOfSlices, 9);
 }
 
 TEST(TextureSlicePlanes, TinySampleDistanceIsBounded)
@@ -177,14 +177,14 @@ TEST(TextureSlicePlanes, TinySampleDistanceIsBounded)
   vtkTextureSliceView view = TurnedView(5.0);
   view.NumberOfSlices = 0;
   view.SampleDistance = 1e-12;
-  EXPECT_EQ(Place(view).GetNumberOfSlices(), vtkTextureSlicePlanes::MaximumNumberOfSlices);
+  EXPECT_EQ(Place(view).NumberOfSlices, vtkTextureSlicePlanes::MaximumNumberOfSlices);
 }
 
 TEST(TextureSlicePlanes, OnePlaneHasOneSlice)
 {
   vtkTextureSliceView view = TurnedView(5.0);
   view.Plane = {0.0, 0.0, 1.0, -0.5};
-  EXPECT_EQ(Place(view).GetNumberOfSlices(), 1);
+  EXPECT_EQ(Place(view).NumberOfSlices, 1);
 }
 
 TEST(TextureSlicePlanes, RaysOfPixelsAreThoseOfTheProjection)
@@ -201,11 +201,10 @@ TEST(TextureSlicePlanes, RaysOfPixelsAreThoseOfTheProjection)
       for (int slice = 0; slice < 9; ++slice)
       {
         const Vector expected =
-          Unproject(view, x, y, planes.GetNearestDepth() + slice * planes.GetDepthStep());
+          Unproject(view, x, y, planes.NearestDepth + slice * planes.DepthStep);
         for (std::size_t axis = 0; axis < 3; ++axis)
         {
-          EXPECT_NEAR(
-            At(planes.GetPlaces(), x, y, axis) + slice * At(planes.GetSteps(), x, y, axis),
+          EXPECT_NEAR(At(planes.Places, x, y, axis) + slice * At(planes.Steps, x, y, axis),
             expected[axis], 1e-9)
             << "pixel " << x << ", " << y << ", slice " << slice << ", axis " << axis;
         }
@@ -222,11 +221,11 @@ TEST(TextureSlicePlanes, DepthsOfTheWindowAreThoseOfTheProjection)
     Project(view, parallel);
     view.NumberOfSlices = 9;
     const vtkTextureSlicePlanes planes = Place(view);
-    const auto [a, b, c, d] = planes.GetDepthToSlice();
+    const auto [a, b, c, d] = planes.DepthToSlice;
     for (const double slice : {-0.5, 0.0, 1.3, 4.0, 8.5})
     {
       const Vector place =
-        Unproject(view, 140.5, 20.5, planes.GetNearestDepth() + slice * planes.GetDepthStep());
+        Unproject(view, 140.5, 20.5, planes.NearestDepth + slice * planes.DepthStep);
       const double depth = 0.5 + 0.5 * Transform(view.BoxToClip, place[0], place[1], place[2])[2];
       const double lack = 2.0 * (1.0 - depth);
       EXPECT_WITHIN(double{(a - lack * b) / (c + lack * d)}, slice, 5e-6,
@@ -248,7 +247,7 @@ TEST(TextureSlicePlanes, NoneLieOnFacesBetweenVoxels)
       SCOPED_TRACE(testing::Message() << (cells ? "cells" : "points") << ", " << degrees);
       vtkTextureSliceView view = ViewOfVoxels(degrees, cells);
       view.NumberOfSlices = onFaces;
-      EXPECT_EQ(Place(view).GetNumberOfSlices(), onFaces);
+      EXPECT_EQ(Place(view).NumberOfSlices, onFaces);
       EXPECT_AT_LEAST(FindDistanceToFaces(view, Place(view)), 0.24,
         "distance of a slice to a face, in voxels (0.25, less what the turned box is longer)");
     }
@@ -263,10 +262,10 @@ TEST(TextureSlicePlanes, ATurnedCameraHasTheSameSlices)
     vtkTextureSliceView turned = ViewOfVoxels(0.001);
     straight.NumberOfSlices = slices;
     turned.NumberOfSlices = slices;
-    EXPECT_EQ(Place(turned).GetNumberOfSlices(), Place(straight).GetNumberOfSlices());
-    EXPECT_EQ(Place(turned).GetNumberOfSlices(), slices == 0 ? 120 : slices);
-    EXPECT_AT_MOST(
-      std::abs(Place(turned).GetNearestDepth() - Place(straight).GetNearestDepth()) * 120.0, 0.002,
+    EXPECT_EQ(Place(turned).NumberOfSlices, Place(straight).NumberOfSlices);
+    EXPECT_EQ(Place(turned).NumberOfSlices, slices == 0 ? 120 : slices);
+    EXPECT_AT_MOST(std::abs(Place(turned).NearestDepth - Place(straight).NearestDepth) * 120.0,
+      0.002,
       "what a turn by 0.001 degrees moves the nearest slice by, in voxels (measured: 0.001)");
   }
 }
@@ -286,8 +285,7 @@ TEST(TextureSlicePlanes, StayInTheMiddleWhereNoFacesAre)
   for (const vtkTextureSliceView& view : {interpolated, askew, between, byChance})
   {
     const vtkTextureSlicePlanes planes = Place(view);
-    const double farthest =
-      planes.GetNearestDepth() + (planes.GetNumberOfSlices() - 1) * planes.GetDepthStep();
-    EXPECT_NEAR(0.5 * (planes.GetNearestDepth() + farthest), Depth(view, {0.5, 0.5, 0.5}), 1e-9);
+    const double farthest = planes.NearestDepth + (planes.NumberOfSlices - 1) * planes.DepthStep;
+    EXPECT_NEAR(0.5 * (planes.NearestDepth + farthest), Depth(view, {0.5, 0.5, 0.5}), 1e-9);
   }
 }
