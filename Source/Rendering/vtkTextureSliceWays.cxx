@@ -28,6 +28,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <numeric>
 #include <utility>
 
@@ -39,15 +40,34 @@ constexpr int GroupSize = 8;
 
 using Mapper = vtkOpenGLTextureSliceVolumeMapper;
 
-/// Whether the context that is current has compute shaders. OpenGL 4.3 has the format of the
-/// picture, and work groups that are large enough.
+GLint GetInteger(GLenum name)
+{
+  GLint value = 0;
+  glGetIntegerv(name, &value);
+  return value;
+}
+
+bool HasExtension(const char* name)
+{
+  const GLint count = GetInteger(GL_NUM_EXTENSIONS);
+  for (GLint i = 0; i < count; ++i)
+  {
+    const GLubyte* extension = glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
+    if (std::strcmp(reinterpret_cast<const char*>(extension), name) == 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Whether the context that is current has compute shaders, which OpenGL 4.3 has as well, and work
+/// groups that are large enough. OpenGL 4.2 stores into pictures of 16 bits.
 bool HasCompute()
 {
-  GLint major = 0;
-  GLint minor = 0;
-  glGetIntegerv(GL_MAJOR_VERSION, &major);
-  glGetIntegerv(GL_MINOR_VERSION, &minor);
-  return 10 * major + minor >= 43;
+  return 10 * GetInteger(GL_MAJOR_VERSION) + GetInteger(GL_MINOR_VERSION) >= 42 &&
+         HasExtension("GL_ARB_compute_shader") &&
+         GetInteger(GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS) >= GroupSize * GroupSize;
 }
 
 /// A program with one compute shader, for which VTK 9.1 has no class. It is a vtkShaderProgram, so

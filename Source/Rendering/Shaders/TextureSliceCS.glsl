@@ -1,4 +1,5 @@
-#version 430
+#version 420
+#extension GL_ARB_compute_shader : require
 // SPDX-License-Identifier: BSD-3-Clause
 // A pixel of the volume: its ray, from front to back, as a compute shader.
 layout(local_size_x = 8, local_size_y = 8) in;
