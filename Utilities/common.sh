@@ -5,14 +5,12 @@ project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 say() { printf '\n== %s\n' "$*"; }
 
-# What Core, its commands and their tests need on Debian 12; then what the library, the program and the tests need.
-core_packages=(
-  g++ cmake ninja-build python3
-  libgeographiclib-dev zlib1g-dev libbz2-dev libcli11-dev nlohmann-json3-dev libgtest-dev
-)
+# What the library, the program and the tests need on Debian 12.
 packages=(
-  "${core_packages[@]}"
-  libvtk9-dev libvtk9-qt-dev qtbase5-dev libbenchmark-dev
+  g++ cmake ninja-build
+  libvtk9-dev libvtk9-qt-dev qtbase5-dev libgeographiclib-dev zlib1g-dev libbz2-dev
+  libcli11-dev nlohmann-json3-dev
+  libgtest-dev libbenchmark-dev
   python3-numpy python3-matplotlib
   xvfb xauth libgl1-mesa-dri
 )
