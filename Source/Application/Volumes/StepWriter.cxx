@@ -112,7 +112,7 @@ VolumeUse UseOfWriting(const VolumeFiles& files, const MergeOptions& options)
   const std::size_t moments = 1 + options.furtherMoments.size();
   if (files.format == VolumeFormat::Nxv)
   {
-    // Codes are made and deflated piece by piece; exact values hardly become fewer bytes.
+    // All is deflated piece by piece; what comes of exact values waits for the end of the file.
     const bool exact = files.nxv.encoding == NxvEncoding::Float;
     return {1, exact ? 2 * sizeof(float) : 0};
   }

@@ -291,6 +291,14 @@ void Store::Keep(std::size_t index, File&& loaded)
   file.scanned = std::move(loaded.scanned);
   file.held = std::move(loaded.held);
   file.loaded = ++loads;
+  const auto drop = [this](File& from)
+  {
+    used -= std::exchange(from.bytes, 0);
+    for (HeldVolume& held : from.held)
+    {
+      held.moments.clear();
+    }
+  };
   used -= std::exchange(file.bytes, 0);
   for (const HeldVolume& held : file.held)
   {
@@ -300,16 +308,15 @@ void Store::Keep(std::size_t index, File&& loaded)
     }
   }
   used += file.bytes;
+  if (file.bytes > limit)
+  {
+    drop(file); // it would push all others out, and not stay itself
+  }
   while (used > limit)
   {
-    const auto oldest = std::min_element(files.begin(), files.end(),
+    drop(*std::min_element(files.begin(), files.end(),
       [](const File& a, const File& b)
-      { return a.bytes > 0 && (b.bytes == 0 || a.loaded < b.loaded); });
-    used -= std::exchange(oldest->bytes, 0);
-    for (HeldVolume& held : oldest->held)
-    {
-      held.moments.clear();
-    }
+      { return a.bytes > 0 && (b.bytes == 0 || a.loaded < b.loaded); }));
   }
   if (isNew)
   {
