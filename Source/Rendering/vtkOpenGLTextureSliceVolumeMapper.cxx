@@ -474,7 +474,7 @@ void vtkOpenGLTextureSliceVolumeMapper::SetFeatures(vtkRenderer* renderer)
   features.Parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
   features.Shadows = parts.Shadows.IsUsed();
   features.Peel = parts.Peeling.GetStage();
-  features.ClippingPlanes = static_cast<int>(parts.Frame.GetClippingPlanesInTexture().size() / 4);
+  features.ClippingPlanes = static_cast<int>(parts.Frame.Cut.Planes.size());
   features.Skipping = parts.EmptySpace.IsSkippingWorthwhile() && features.Contours == 0;
   features.Lights = parts.Request.IsShaded() ? parts.Lights.CountForShader() : -1;
   vtkHardwareSelector* selector = renderer->GetSelector();

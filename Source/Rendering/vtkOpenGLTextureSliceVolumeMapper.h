@@ -3,33 +3,28 @@
  * @class   vtkOpenGLTextureSliceVolumeMapper
  * @brief   Draws a volume by its samples on slices of a 3-D texture, parallel to the image plane
  *
- * A drop-in for vtkOpenGLGPUVolumeRayCastMapper that gives the same picture: along the ray of each
- * pixel, from front to back, there is a sample on each slice, coloured by the property's transfer
- * functions. The picture does not depend on the number of slices: opacity is corrected for the
- * distance of two samples along the ray, whose ends are exact, and a short ray has two samples at
- * least. Bricks of voxels in which the functions show nothing are skipped.
+ * A drop-in for vtkOpenGLGPUVolumeRayCastMapper that gives the same picture: the ray of each pixel
+ * has a sample on each slice, coloured by the property's transfer functions. Opacity is corrected
+ * for the distance of two samples, so the picture does not depend on the number of slices. Bricks
+ * of voxels in which the functions show nothing are skipped.
  *
- * Input: a vtkImageData, with any spacing and direction matrix, or a vtkRectilinearGrid, whose
- * coordinates ascend; one to four components of point or cell scalars of any number type, with any
- * actor matrix. Points (cells of cell scalars) that vtkGhostType marks with any flag and scalars
- * that are not finite contribute nothing; up to half a voxel from a visible point the picture is
- * complete. Unsigned char scalars NAME may be codes: field data `NAME_code_values` (256 numbers)
- * and `NAME_code_ghosts` (256 unsigned char, optional) then give the scalar and the ghost flags
- * that each code stands for, and the picture is that of these scalars and flags. Components are
- * independent (each with its own functions, material and weight) or dependent (2: value and
- * opacity; 4: red, green, blue, opacity).
+ * Input: a vtkImageData, or a vtkRectilinearGrid whose coordinates ascend; one to four components
+ * of point or cell scalars of any number type. Points (cells of cell scalars) that vtkGhostType
+ * marks with any flag and scalars that are not finite contribute nothing. Unsigned char scalars
+ * NAME may be codes: field data `NAME_code_values` (256 numbers) gives the scalar of each code, and
+ * `NAME_code_ghosts` (256 unsigned char, optional) its ghost flags. Components are independent
+ * (each with its own functions, material and weight) or dependent (2: value and opacity; 4: red,
+ * green, blue, opacity).
  *
  * Blend modes: composite, maximum, minimum, average, additive, isosurface, slice (the property's
  * SliceFunction, a vtkPlane in world coordinates). Of two dependent components the second has the
- * isosurfaces and gives their opacity, the first gives the colour. Light and gradient opacity count
- * where places are shown (composite, isosurface, slice), not in projections.
- * UseClippedVoxelIntensity gives what is clipped away a scalar of its own there. Two-dimensional
- * transfer functions (scalar and gradient magnitude, or scalar and the array that
- * Transfer2DYAxisArray names) in the composite mode. A mask of the volume's dimensions, one
- * unsigned char each: binary, or labels with functions of their own. Cropping, clipping planes,
- * opaque geometry, a camera inside the volume, final window and level, ImageSampleDistance and
- * AutoAdjustSampleDistances work as in VTK's ray caster. Translucent geometry is behind the volume,
- * unless the renderer peels both by depth (SetUseDepthPeelingForVolumes).
+ * isosurfaces and gives their opacity, the first gives the colour. Composite takes two-dimensional
+ * transfer functions as well, over scalar and gradient magnitude, or over scalar and the array that
+ * Transfer2DYAxisArray names. Light, gradient opacity and UseClippedVoxelIntensity count in
+ * composite, isosurface and slice. A mask of one unsigned char a voxel is binary, or has labels
+ * with functions of their own. Cropping, clipping, opaque geometry, cameras inside the volume,
+ * final window and level and sample distances work as in VTK's ray caster. Translucent geometry is
+ * behind the volume, unless the renderer peels both by depth (SetUseDepthPeelingForVolumes).
  *
  * vtkTextureSliceObjectFactory puts this class wherever VTK makes a vtkGPUVolumeRayCastMapper.
  *
@@ -68,10 +63,9 @@ public:
 
   ///@{
   /**
-   * Slices between the nearest and the farthest point of the volume, 0 to 16384. 0 takes the
-   * spacing from the sample distance: SampleDistance, or with LockSampleDistanceToInputSpacing one
-   * that follows the voxels, or with AutoAdjustSampleDistances (on by default) the shortest edge of
-   * a voxel. Default: 256.
+   * Slices between the nearest and the farthest point of the volume, 0 to 16384; 256 by default. 0
+   * takes their distance from SampleDistance, or with LockSampleDistanceToInputSpacing from the
+   * voxels, or with AutoAdjustSampleDistances (on by default) from the shortest edge of a voxel.
    */
   vtkSetClampMacro(NumberOfSlices, int, 0, 16384);
   vtkGetMacro(NumberOfSlices, int);
@@ -146,21 +140,19 @@ public:
 
   /**
    * How much light arrives, as the last frame (or UpdateLight) used it: an image of floats in the
-   * coordinates of the input, of at most 1,048,576 points (half of the resolution of 256 x 256 x
-   * 128), an eighth of these during an interaction. First component: the transmittance to the light
-   * (0 to 1: all of it arrives); second: its mean over the sky. A component whose strength is 0 is
-   * 1. nullptr where both are off. It does not depend on the camera.
+   * coordinates of the input, of at most 1,048,576 points, an eighth of these during an
+   * interaction. First component: the transmittance to the light (0 to 1: all of it arrives);
+   * second: its mean over the sky; 1 where its strength is 0. nullptr where both are off.
    */
   vtkImageData* GetLightVolume();
 
   ///@{
   /**
-   * Pre-integrated classification (Engel, Kraus and Ertl 2001): a ray consists of slabs between two
-   * slices, over which the transfer functions are integrated. Steep functions then leave no rings,
-   * and fewer slices are enough. Other blend modes than composite, nearest interpolation and
-   * two-dimensional functions ignore it. Of two or four dependent components the opacity is
-   * integrated, and the colour is that of the middle of the slab. Default: off, the picture of
-   * VTK's ray caster.
+   * Pre-integrated classification (Engel, Kraus and Ertl 2001): the transfer functions are
+   * integrated over slabs between two slices, so steep functions leave no rings, and fewer slices
+   * are enough. Other blend modes than composite, nearest interpolation and two-dimensional
+   * functions ignore it. Of two or four dependent components the opacity is integrated, and the
+   * colour is that of the middle of the slab. Default: off, the picture of VTK's ray caster.
    */
   vtkSetMacro(PreIntegration, bool);
   vtkGetMacro(PreIntegration, bool);
@@ -171,11 +163,11 @@ public:
   /**
    * What draws the volume; all ways draw the same picture up to rounding, away from the faces of
    * the box. FRAGMENTS: one fragment a pixel goes along the pixel's ray (OpenGL 3.2). COMPUTE: a
-   * compute shader does the same (OpenGL 4.3). POLYGONS: one for each slice, the outline of the
-   * volume, blended, which is slow and shows how slices work; composite blending without
-   * PreIntegration alone, else as AUTOMATIC. AUTOMATIC (the default) draws by fragments, times both
-   * shaders with the second frame, once for each card, and goes on by compute where that is twice
-   * as fast. A way that the context does not have is replaced with a warning. The environment
+   * compute shader does the same (OpenGL 4.2 with GL_ARB_compute_shader). POLYGONS: the outline of
+   * the volume, blended once a slice, which is slow and shows how slices work; composite blending
+   * without PreIntegration alone, else as AUTOMATIC. AUTOMATIC (the default) draws by fragments,
+   * times both shaders with the second frame, once for each card, and goes on by compute where that
+   * is twice as fast. A way that the context lacks is replaced with a warning. The environment
    * variable VTK_TEXTURE_SLICE_WAY (automatic, fragments, compute, polygons) takes precedence.
    */
   enum Ways
@@ -202,9 +194,8 @@ public:
   ///@{
   /**
    * Whether light and gradient opacity take the gradient from the eight corners of a cube of three
-   * voxels, in place of central differences of one voxel either side, which VTK's ray caster
-   * takes. Surfaces of noisy scalars then do not sparkle; shapes of less than three voxels are
-   * lost. Off by default.
+   * voxels, in place of central differences, as VTK's ray caster. Surfaces of noisy scalars then do
+   * not sparkle; shapes of less than three voxels are lost. Off by default.
    */
   vtkSetMacro(SmoothGradient, bool);
   vtkGetMacro(SmoothGradient, bool);
@@ -220,18 +211,16 @@ public:
 
   /**
    * Does beforehand, on any thread and without OpenGL, what takes longest when scalars are drawn
-   * for the first time: finds their ranges and checksums, and given what this function returned for
-   * the volume that is drawn before them, also encodes the texels that change. All this stays with
-   * the array (in its information) until it is drawn or changes. Takes the active scalars of the
-   * points, or of the cells; nullptr where there are none.
+   * for the first time: finds ranges and checksums of the active scalars of points, or of cells,
+   * and with what this function returned for the volume drawn before, encodes the texels that
+   * change. This stays with the array until it is drawn or changes. nullptr without scalars.
    */
   static vtkSmartPointer<vtkObject> PrepareScalars(
     vtkImageData* image, vtkObject* before = nullptr);
 
   /**
-   * Brings the input into texture memory now, rather than when it is drawn: as
-   * vtkOpenGLGPUVolumeRayCastMapper::PreLoadData. What is there already is left alone. False, with
-   * an error, when it cannot.
+   * Brings the input into texture memory now, rather than when it is drawn, as VTK's ray caster
+   * does. False, with an error, when it cannot.
    */
   bool PreLoadData(vtkRenderer* renderer, vtkVolume* volume);
 

@@ -19,11 +19,8 @@ class vtkShaderProgram;
 struct vtkTextureSliceFrame;
 struct vtkTextureSliceParts;
 
-/**
- * For each octant of directions, a brick has the edge, in bricks, of the largest cube without a
- * visible brick that begins with it and lies ahead of a ray of that octant. A ray in the brick may
- * leave that cube without another look. A visible brick has 0.
- */
+/// For each octant of directions, a brick has the edge, in bricks, of the largest cube without a
+/// visible brick that begins with it and lies ahead of a ray of that octant; a visible one has 0.
 class VTKNEXRADRENDERING_EXPORT vtkTextureSliceDistanceMap
 {
 public:
@@ -59,16 +56,8 @@ private:
   bool Uploaded = false;
 };
 
-/**
- * Marks the bricks of a volume that can add to the picture. Changes of the functions alone cost a
- * look at each brick, not at each voxel. What counts depends on the blend mode:
- *
- * - composite, additive: the opacities of the functions, or of a label's, are above 0 somewhere in
- * the range of a brick's scalars; of two-dimensional functions, at some gradient;
- * - maximum, minimum: the same, of all that a brick's scalars could hide;
- * - average: the scalars that the average counts, whatever their opacity;
- * - isosurface: an iso-value is in the range.
- */
+/// Marks the bricks of a volume that can add to the picture, as the blend mode has it: see "Empty
+/// space" in Documentation/Developer/rendering.md.
 class vtkTextureSliceEmptySpace
 {
 public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the volume is, where it is seen from, and where the slices lie.
+// Where the volume is, where it is seen from, where the slices lie, and the lights.
 #ifndef vtkTextureSliceFrame_h
 #define vtkTextureSliceFrame_h
 
@@ -7,20 +7,21 @@
 #include "vtkTextureSliceLightCells.h"
 
 #include <array>
+#include <map>
 #include <optional>
 #include <vector>
 
 class vtkImageData;
+class vtkLight;
 class vtkPlane;
 class vtkRenderer;
+class vtkShaderProgram;
 class vtkVolume;
 class vtkVolumeMapper;
 
-/**
- * What decides where the slices lie. "Box" coordinates run from 0 to 1 along each axis of the
- * volume; "data" lengths are those of the volume before its actor's matrix, as VTK's ray caster
- * measures sample distances and the unit distance of opacity.
- */
+/// What decides where the slices lie. Box coordinates run from 0 to 1 along each axis of the
+/// volume; data lengths are those before its actor's matrix, as VTK's ray caster measures
+/// distances.
 struct vtkTextureSliceView
 {
   /// Box to camera coordinates (x right, y up, the camera looks along -z), row by row.
@@ -51,12 +52,10 @@ struct vtkTextureSliceView
 /// third one; pixels' centres lie at one half.
 using vtkTextureSlicePixelMap = std::array<std::array<double, 3>, 3>;
 
-/**
- * Planes of equal depth, in the middle of equal intervals between the nearest and the farthest
- * point of what is drawn. Where many of them would lie on faces between voxels, all are nearer by a
- * quarter of a voxel, or of an interval. Places on a ray are counted in slices: 0 is the nearest
- * plane.
- */
+/// Planes of equal depth, in the middle of equal intervals between the nearest and the farthest
+/// point of what is drawn. Where many would lie on faces between voxels, all are nearer by a
+/// quarter of a voxel, or of an interval. Places on a ray are counted in slices: 0 is the nearest
+/// plane.
 struct VTKNEXRADRENDERING_EXPORT vtkTextureSlicePlanes
 {
   /// More slices than this are not drawn, however small the sample distance.
@@ -80,11 +79,7 @@ struct VTKNEXRADRENDERING_EXPORT vtkTextureSlicePlanes
   std::array<float, 4> DepthToSlice{};
 };
 
-/**
- * Every coordinate system of one frame. The box is the volume's bounds, 0 to 1 along each of its
- * axes; data coordinates are the image's own, world coordinates those after the actor's matrix.
- * What is below the functions is valid after the setters.
- */
+/// Every coordinate system of one frame; world coordinates are those after the actor's matrix.
 struct vtkTextureSliceFrame
 {
   void SetVolume(vtkImageData* image, bool cellData, vtkVolume* volume);
@@ -94,14 +89,12 @@ struct vtkTextureSliceFrame
 
   /// A plane in world coordinates as a, b, c, d of a*x + b*y + c*z + d in box coordinates.
   std::array<double, 4> ToBox(vtkPlane* plane) const;
+  /// The same plane in texture coordinates.
+  std::array<float, 4> ToTexture(const std::array<double, 4>& box) const;
   /// Whether the volume has no extent along some axis.
   bool IsFlat() const;
   /// A direction in world coordinates as data lengths along the box's axes, towards higher indices.
   std::array<double, 3> GetDataDirection(const std::array<double, 3>& world) const;
-  std::array<float, 4> ToTexture(const std::array<double, 4>& box) const;
-  /// The clipping planes that cut something of the part off, four numbers each, in texture
-  /// coordinates; what is below 0 is cut away.
-  std::vector<float> GetClippingPlanesInTexture() const;
   /// One voxel along its shortest edge as texture coordinates, and how many of them make half of
   /// its longest edge: 0 for cubes, 4 at most.
   std::array<float, 4> GetStair() const;
@@ -122,6 +115,28 @@ struct vtkTextureSliceFrame
   std::array<float, 3> InverseAspect{};
   bool CellData = false;          ///< whether the scalars are those of the image's cells
   double ShortestVoxelEdge = 1.0; ///< world length
+};
+
+/// The lights that are switched on. As in VTK's ray caster, a single headlight shines along each
+/// ray and is reckoned in data coordinates, everything else in camera coordinates; a headlight's
+/// ambient colour is ignored and the sample's own used in its place.
+class vtkTextureSliceLights
+{
+public:
+  void Update(vtkRenderer* renderer);
+  /// For vtkTextureSliceFeatures: -1 without lights, 0 for a single headlight, else their number.
+  int CountForShader() const;
+  void SetUniforms(vtkShaderProgram* program, const vtkTextureSliceFrame& frame) const;
+
+private:
+  void Append(vtkRenderer* renderer, vtkLight* light);
+
+  int Count = 0;
+  bool OnlyHeadlight = false;
+  bool TwoSided = true;
+  std::array<float, 3> Ambient{}; ///< of all lights
+  /// The uniforms that have a vector for each light.
+  std::map<const char*, std::vector<std::array<float, 3>>> Vectors;
 };
 
 #endif

@@ -26,10 +26,9 @@ public:
 
   ///@{
   /**
-   * Registers a factory of this class, and takes it away again. The factory that was
-   * registered first wins in VTK, so Activate switches vtkGPUVolumeRayCastMapper off in the
-   * factories that are there, and Deactivate on again. Activate is to be called when VTK's modules
-   * are loaded; calling it twice changes nothing.
+   * Registers a factory of this class, and takes it away again. The first factory wins in VTK, so
+   * Activate switches vtkGPUVolumeRayCastMapper off in those that are there, and Deactivate on
+   * again. Activate is to be called when VTK's modules are loaded; twice is as once.
    */
   static void Activate();
   static void Deactivate();

@@ -59,12 +59,13 @@ void SetRays(vtkShaderProgram* program, const vtkTextureSliceParts& uniforms)
   program->SetUniform3f("stepToUnits", toUnits.data());
   program->SetUniform4f("depthToSlice", planes.DepthToSlice.data());
   program->SetUniformf("pixelSize", static_cast<float>(uniforms.PixelSize));
-  const std::vector<float> clipping = frame.GetClippingPlanesInTexture();
-  if (!clipping.empty())
+  std::vector<std::array<float, 4>> clipping;
+  for (const std::array<double, 4>& plane : cut.Planes)
   {
-    program->SetUniform4fv(
-      "clippingPlanes", static_cast<int>(clipping.size() / 4), clipping.data());
+    clipping.push_back(frame.ToTexture(plane));
   }
+  program->SetUniform4fv("clippingPlanes", static_cast<int>(clipping.size()),
+    reinterpret_cast<const float(*)[4]>(clipping.data()));
   if (frame.View.Plane)
   {
     program->SetUniform4f("slicePlane", frame.ToTexture(*frame.View.Plane).data());

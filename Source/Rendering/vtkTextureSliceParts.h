@@ -7,7 +7,6 @@
 #include "vtkTextureSliceCoordinates.h"
 #include "vtkTextureSliceEmptySpace.h"
 #include "vtkTextureSliceFrame.h"
-#include "vtkTextureSliceLights.h"
 #include "vtkTextureSlicePeeling.h"
 #include "vtkTextureSliceRequest.h"
 #include "vtkTextureSliceShadows.h"
@@ -28,10 +27,8 @@ class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 class vtkTextureObject;
 
-/**
- * What vtkOpenGLTextureSliceVolumeMapper works with, one job each. Each part decides for itself
- * what a change makes it do anew; the rest is set anew in each frame.
- */
+/// What vtkOpenGLTextureSliceVolumeMapper works with, one job each. Each part decides for itself
+/// what a change makes it do anew; the rest is set anew in each frame.
 struct vtkTextureSliceParts
 {
   /// The volume of this frame; of a rectilinear grid, an image of its points or cells.

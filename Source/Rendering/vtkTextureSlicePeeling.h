@@ -10,12 +10,9 @@ class vtkRenderer;
 class vtkShaderProgram;
 class vtkVolume;
 
-/**
- * VTK's dual depth peeling draws a volume several times a frame: first what lies outside of all
- * translucent geometry, then what lies between two peels of it. Each time it asks for two pictures,
- * one of what is in front of the geometry that is not peeled yet and one of what is behind it. Its
- * textures tell between which depths a pixel's part of the volume lies (TextureSliceRayFS).
- */
+/// VTK's dual depth peeling draws a volume several times a frame, each time by two pictures: of
+/// what is in front of the geometry that is not peeled yet, and of what is behind it. Its textures
+/// tell between which depths a pixel's part of the volume lies (TextureSliceRayFS).
 class vtkTextureSlicePeeling
 {
 public:

@@ -42,8 +42,7 @@ struct vtkTextureSliceFeatures
   int Lights = -1;         ///< -1: unlit; 0: a single headlight; else the number of lights
   int IsoValues = 0;
   int Contours = 0; ///< rays begin at the first contour of these values; 0: where they enter
-  /// Several slabs are computed faster than one after the other, but rays that end in the first one
-  /// pay for all of them.
+  /// Several slabs are faster together, but rays that end in the first one pay for all of them.
   static constexpr int SlabsOfPiece = 3;
   bool Slabs = false; ///< the functions are integrated over slabs (Formulas L1)
   /// An extreme of dependent components: all of them are those of the sample with the extreme of
@@ -130,11 +129,9 @@ struct vtkTextureSliceRequest
 private:
   void SetMaterials(vtkShaderProgram* program) const;
   bool HasMask(int type) const;
-  /// Whether slabs are integrated over: where samples are blended by one-dimensional functions of
-  /// scalars that are interpolated.
+  /// Whether one-dimensional functions of interpolated scalars are integrated over slabs.
   bool IntegratesSlabs() const;
-  /// Whether a gradient opacity is other than 1 somewhere: VTK's fixed-point ray caster gives
-  /// properties one that is not.
+  /// Whether a gradient opacity is other than 1 somewhere.
   bool HasGradientOpacity() const;
   bool Has2D() const
   {

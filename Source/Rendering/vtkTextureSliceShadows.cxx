@@ -31,15 +31,10 @@ constexpr std::size_t MostCellsOfInteraction = MostCells / 8;
 /// What a surface of opacity 1 takes: no 16-bit texel shows what is left.
 constexpr double MostDepthOfASurface = 16.0;
 
-bool HasSurfaces(const vtkTextureSliceFeatures& features)
-{
-  return features.IsoValues > 0;
-}
-
 /// Shadows lie in places, and scalars alone decide how dense these are.
 bool CanShow(const vtkTextureSliceFeatures& features)
 {
-  return HasSurfaces(features) ||
+  return features.IsoValues > 0 ||
          (features.BlendMode == vtkVolumeMapper::COMPOSITE_BLEND && !features.Table2D);
 }
 
@@ -140,7 +135,7 @@ vtkTextureSliceLightCells::Source MakeCells(const Source& source, double density
   {
     made.Mask = static_cast<const unsigned char*>(source.MaskValues->GetVoidPointer(0));
   }
-  if (HasSurfaces(features))
+  if (features.IsoValues > 0)
   {
     made.Surfaces = MakeSurfaces(source, density);
     made.Component = source.Texture.GetComponents().size() - 1;
@@ -264,7 +259,7 @@ void vtkTextureSliceShadows::SetSurfaces(
   for (std::size_t i = 0; i < values.size(); ++i)
   {
     surfaces.push_back(values[i]);
-    surfaces.push_back(1.0f - std::exp(-this->Last.Cells.Surfaces[i].Depth));
+    surfaces.push_back(1.0f - std::exp(-this->Last.Cells.Surfaces[i].second));
   }
   program->SetUniform3f("toLight", toLight.data());
   program->SetUniform3f("gradientToCells", gradientToCells.data());

@@ -15,11 +15,8 @@ class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 struct vtkTextureSliceParts;
 
-/**
- * Keeps a vtkTextureSliceLightVolume up to date with scalars, transfer functions, mask, cuts and
- * directions of light, and in texture memory. A change of the camera or of a strength above 0
- * leaves the volume as it is.
- */
+/// Keeps a vtkTextureSliceLightVolume up to date with scalars, transfer functions, mask, cuts and
+/// directions of light, and in texture memory.
 class vtkTextureSliceShadows
 {
 public:

@@ -28,18 +28,12 @@ std::array<double, 2> EntryRange(const vtkTextureSliceDomain& domain)
 
 int CountSamples(const vtkTextureSliceRow& row)
 {
-  int samples = 0;
-  if (row.Opacity != nullptr)
-  {
-    const auto range = EntryRange(row.OpacityDomain);
-    samples = row.Opacity->EstimateMinNumberOfSamples(range[0], range[1]);
-  }
-  if (row.Color != nullptr)
-  {
-    const auto range = EntryRange(row.ColorDomain);
-    samples = std::max(samples, row.Color->EstimateMinNumberOfSamples(range[0], range[1]));
-  }
-  return samples;
+  const auto [low, high] = EntryRange(row.OpacityDomain);
+  const int samples = row.Opacity->EstimateMinNumberOfSamples(low, high);
+  const auto [first, last] = EntryRange(row.ColorDomain);
+  return row.Color != nullptr
+           ? std::max(samples, row.Color->EstimateMinNumberOfSamples(first, last))
+           : samples;
 }
 
 std::size_t ChooseWidth(vtkOpenGLRenderWindow* window, const std::vector<vtkTextureSliceRow>& rows)
@@ -110,51 +104,40 @@ void FillColor(const vtkTextureSliceRow& row, int width, float* entries)
   }
 }
 
+/// The optical depth t of an opacity a: a ray keeps 2^-t = 1 - a of its light (Formulas R1), so
+/// that n such distances have n times the depth. An opacity of 1 stays opaque over any step.
+float ToOpticalDepth(float opacity)
+{
+  constexpr double most = 1048576.0;
+  return static_cast<float>(std::clamp(-std::log2(1.0 - static_cast<double>(opacity)), 0.0, most));
+}
+
 void FillOpacity(const vtkTextureSliceRow& row, int width, float* entries)
 {
   const auto [low, high] = EntryRange(row.OpacityDomain);
   Complete(row.Opacity, row.OpacityDomain)->GetTable(low, high, width, entries + 3, 4);
   for (int i = 0; i < width; ++i)
   {
-    entries[4 * i + 3] = std::clamp(entries[4 * i + 3], 0.0f, 1.0f);
+    const float opacity = std::clamp(entries[4 * i + 3], 0.0f, 1.0f);
+    entries[4 * i + 3] = row.OpticalDepth ? ToOpticalDepth(opacity) : opacity;
   }
 }
 
-void FillRow(const vtkTextureSliceRow& row, int width, float* entries)
+std::vector<float> MakeEntries(const vtkTextureSliceRow& row, std::size_t width)
 {
-  std::fill(entries, entries + 4 * width, 1.0f);
+  std::vector<float> entries(4 * width, 1.0f);
   if (row.Gray != nullptr || row.Color != nullptr)
   {
-    FillColor(row, width, entries);
+    FillColor(row, static_cast<int>(width), entries.data());
   }
-  if (row.Opacity != nullptr)
-  {
-    FillOpacity(row, width, entries);
-  }
+  FillOpacity(row, static_cast<int>(width), entries.data());
+  return entries;
 }
 
-/// The optical depth t of an opacity a: a ray keeps 2^-t = 1 - a of its light (Formulas R1), so
-/// that n such distances have n times the depth. An opacity of 1 stays opaque over any step.
-double ToOpticalDepth(double opacity)
+std::vector<float> GetAlphas(const std::vector<float>& entries)
 {
-  constexpr double most = 1048576.0;
-  return std::clamp(-std::log2(1.0 - opacity), 0.0, most);
-}
-
-/// Opacities of the entries of a row become optical depths where these are asked for.
-void ToOpticalDepths(const vtkTextureSliceRow& row, int width, float* entries)
-{
-  for (int i = 0; row.OpticalDepth && i < width; ++i)
-  {
-    entries[4 * i + 3] =
-      static_cast<float>(ToOpticalDepth(static_cast<double>(entries[4 * i + 3])));
-  }
-}
-
-std::vector<float> GetAlphas(const float* entries, std::size_t width)
-{
-  std::vector<float> alphas(width);
-  for (std::size_t i = 0; i < width; ++i)
+  std::vector<float> alphas(entries.size() / 4);
+  for (std::size_t i = 0; i < alphas.size(); ++i)
   {
     alphas[i] = entries[4 * i + 3];
   }
@@ -216,44 +199,29 @@ void vtkTextureSliceTable::Update(
   {
     this->Texture->SetContext(window);
     this->Last = keys;
-    this->Fill(rows, ChooseWidth(window, rows));
-    this->FillOpacities(window, rows);
+    this->Fill(window, rows);
     Upload(this->Texture, rows.size(), this->Entries);
   }
   vtkTextureSliceSetSampling(this->Texture, nearest);
 }
 
-void vtkTextureSliceTable::Fill(const std::vector<vtkTextureSliceRow>& rows, std::size_t width)
+void vtkTextureSliceTable::Fill(
+  vtkOpenGLRenderWindow* window, const std::vector<vtkTextureSliceRow>& rows)
 {
-  this->Entries.resize(rows.size() * width * 4);
+  this->Entries.clear();
   this->Visibilities.clear();
-  for (std::size_t row = 0; row < rows.size(); ++row)
+  this->Opacities.clear();
+  const std::size_t width = ChooseWidth(window, rows);
+  for (vtkTextureSliceRow row : rows)
   {
-    float* const entries = this->Entries.data() + row * width * 4;
-    FillRow(rows[row], static_cast<int>(width), entries);
-    this->Visibilities.emplace_back(GetAlphas(entries, width));
-    ToOpticalDepths(rows[row], static_cast<int>(width), entries);
-  }
-  this->FillTime.Modified();
-}
-
-void vtkTextureSliceTable::FillOpacities(
-  vtkOpenGLRenderWindow* window, std::vector<vtkTextureSliceRow> rows)
-{
-  for (vtkTextureSliceRow& row : rows)
-  {
+    const std::vector<float> entries = MakeEntries(row, width);
+    this->Entries.insert(this->Entries.end(), entries.begin(), entries.end());
+    this->Visibilities.emplace_back(GetAlphas(entries));
     row.Color = nullptr;
     row.Gray = nullptr;
+    this->Opacities.push_back(GetAlphas(MakeEntries(row, ChooseWidth(window, {row}))));
   }
-  const std::size_t width = ChooseWidth(window, rows);
-  std::vector<float> entries(4 * width);
-  this->Opacities.clear();
-  for (const vtkTextureSliceRow& row : rows)
-  {
-    FillRow(row, static_cast<int>(width), entries.data());
-    ToOpticalDepths(row, static_cast<int>(width), entries.data());
-    this->Opacities.push_back(GetAlphas(entries.data(), width));
-  }
+  this->FillTime.Modified();
 }
 
 void vtkTextureSliceTable::Upload(
@@ -312,35 +280,25 @@ std::string vtkTextureSliceTable2D::Update(
 bool vtkTextureSliceTable2D::Upload(const std::vector<vtkImageData*>& images)
 {
   const int* size = images.front()->GetDimensions();
+  const auto width = static_cast<std::size_t>(size[0]);
   std::vector<float> entries;
+  this->Visibilities.clear();
   for (vtkImageData* image : images)
   {
     const auto* first = static_cast<const float*>(image->GetScalarPointer());
-    entries.insert(entries.end(), first, first + 4 * image->GetNumberOfPoints());
-  }
-  this->Rows = size[1];
-  this->Width = size[0];
-  this->IndexOpacities(entries, images.size());
-  return this->Texture->Create2DFromRaw(static_cast<unsigned int>(size[0]),
-    static_cast<unsigned int>(size[1]) * static_cast<unsigned int>(images.size()), 4, VTK_FLOAT,
-    entries.data());
-}
-
-void vtkTextureSliceTable2D::IndexOpacities(const std::vector<float>& entries, std::size_t images)
-{
-  const auto width = static_cast<std::size_t>(this->Width);
-  this->Visibilities.clear();
-  for (std::size_t image = 0; image < images; ++image)
-  {
+    const auto points = static_cast<std::size_t>(image->GetNumberOfPoints());
+    entries.insert(entries.end(), first, first + 4 * points);
     std::vector<float> most(width, 0.0f);
-    const float* alpha = entries.data() + image * width * static_cast<std::size_t>(this->Rows) * 4;
-    for (std::size_t i = 0; i < width * static_cast<std::size_t>(this->Rows); ++i)
+    for (std::size_t i = 0; i < points; ++i)
     {
-      most[i % width] = std::max(most[i % width], alpha[4 * i + 3]);
+      most[i % width] = std::max(most[i % width], first[4 * i + 3]);
     }
     this->Visibilities.emplace_back(most);
   }
   this->FillTime.Modified();
+  return this->Texture->Create2DFromRaw(static_cast<unsigned int>(size[0]),
+    static_cast<unsigned int>(size[1]) * static_cast<unsigned int>(images.size()), 4, VTK_FLOAT,
+    entries.data());
 }
 
 std::size_t vtkTextureSliceIntegralTable::ChooseWidth(std::size_t entries)

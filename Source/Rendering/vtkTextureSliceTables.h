@@ -24,11 +24,8 @@ class vtkOpenGLRenderWindow;
 class vtkPiecewiseFunction;
 class vtkShaderProgram;
 
-/**
- * Tells at once, whatever the range, whether an opacity function shows any scalar of it. It keeps
- * how many entries of the function's table before each one are visible. Scalars are 0 at the first
- * entry and 1 at the last.
- */
+/// Tells at once whether an opacity function shows any scalar of a range, by the number of visible
+/// entries of its table before each one. Scalars are 0 at the first entry and 1 at the last.
 class vtkTextureSliceVisibility
 {
 public:
@@ -70,18 +67,15 @@ struct vtkTextureSliceRow
   vtkColorTransferFunction* Color = nullptr;
   vtkPiecewiseFunction* Gray = nullptr;
   vtkTextureSliceDomain ColorDomain;
-  /// nullptr: 1 everywhere.
   vtkPiecewiseFunction* Opacity = nullptr;
   vtkTextureSliceDomain OpacityDomain;
   /// Whether the texture holds optical depths in place of opacities.
   bool OpticalDepth = false;
 };
 
-/**
- * Rows of functions, all of one width. Entry i of n stands for the scalar
- * low + i*(high - low)/(n - 1) of its domain; its colour is not yet multiplied with its opacity,
- * which is that of one unit distance. A single row is a 1-D texture, several are a 2-D one.
- */
+/// Rows of functions. Entry i of n stands for the scalar low + i*(high - low)/(n - 1) of its
+/// domain; its colour is not multiplied with its opacity, which is that of one unit distance. A
+/// single row is a 1-D texture, several are a 2-D one.
 class vtkTextureSliceTable
 {
 public:
@@ -116,8 +110,7 @@ private:
   /// What a row is made from; pointers are compared, never followed.
   using Key = std::tuple<const void*, const void*, const void*, vtkMTimeType, vtkMTimeType,
     vtkMTimeType, std::array<double, 2>, bool, std::array<double, 2>, bool, bool>;
-  void Fill(const std::vector<vtkTextureSliceRow>& rows, std::size_t width);
-  void FillOpacities(vtkOpenGLRenderWindow* window, std::vector<vtkTextureSliceRow> rows);
+  void Fill(vtkOpenGLRenderWindow* window, const std::vector<vtkTextureSliceRow>& rows);
 
   vtkNew<vtkTextureObject> Texture;
   std::vector<float> Entries;
@@ -127,11 +120,9 @@ private:
   std::vector<Key> Last; ///< one for each row that the texture was made from
 };
 
-/**
- * Two-dimensional transfer functions as vtkVolumeProperty holds them: images of four floats (red,
- * green, blue, opacity of one unit distance), scalars to the right over their range, gradient
- * magnitude upwards. Several images are stacked, the first below, and must have one size.
- */
+/// Two-dimensional transfer functions as vtkVolumeProperty holds them: images of four floats (red,
+/// green, blue, opacity of one unit distance), scalars to the right over their range, gradient
+/// magnitude upwards. Several images are stacked, the first below, and must have one size.
 class vtkTextureSliceTable2D
 {
 public:
@@ -141,7 +132,7 @@ public:
 
   vtkTextureObject* GetTexture() const { return this->Texture; }
   /// Entries of a row.
-  int GetWidth() const { return this->Width; }
+  int GetWidth() const { return static_cast<int>(this->Texture->GetWidth()); }
   /// Where an image's opacity is above 0 at some gradient magnitude, over the scalars as 0 to 1.
   const vtkTextureSliceVisibility& GetVisibility(std::size_t image) const
   {
@@ -151,28 +142,20 @@ public:
 
 private:
   bool Upload(const std::vector<vtkImageData*>& images);
-  void IndexOpacities(const std::vector<float>& entries, std::size_t images);
 
   vtkNew<vtkTextureObject> Texture;
-  int Rows = 0;
-  int Width = 0;
   std::vector<vtkTextureSliceVisibility> Visibilities; ///< one for each image
   vtkTimeStamp FillTime;
   /// The images and when they changed; pointers are compared, never followed.
   std::vector<std::pair<const void*, vtkMTimeType>> Last;
 };
 
-/**
- * The tables of pre-integrated classification (Formulas L1), one row for each of the first rows of
- * a vtkTextureSliceTable, which must hold optical depths. Alpha is K, the integral of the optical
- * depth of a unit distance from the first entry on; red, green and blue are K_c, the integral of
- * that depth times the colour (trapezoidal rule). Between two entries of the functions, depth and
- * colour count as linear. The integrals are counted in their own entries, so that the difference of
- * two entries over the number of entries between them is a depth.
- *
- * The shader reads single entries, which costs half of interpolating two. The integrals therefore
- * have three entries between each two of functions that have 2048 entries or fewer.
- */
+/// The tables of pre-integrated classification (Formulas L1), one row for each of the first rows of
+/// a vtkTextureSliceTable, which must hold optical depths. Alpha is K, the integral of the optical
+/// depth of a unit distance; red, green and blue are K_c, the integral of that depth times the
+/// colour (trapezoidal rule). Integrals are counted in their own entries: the difference of two
+/// over the entries between them is a depth. The shader reads single entries, so the integrals have
+/// three entries between each two of functions that have 2048 or fewer.
 class VTKNEXRADRENDERING_EXPORT vtkTextureSliceIntegralTable
 {
 public:
@@ -188,8 +171,7 @@ public:
   /// Entries of a row for functions of so many entries.
   static std::size_t ChooseWidth(std::size_t entries);
 
-  /// A limit for Update at which a slab of that many unit distances is still opaque: a power of
-  /// two, so that it stays the same while the camera moves a little.
+  /// A limit for Update at which a slab of that many unit distances is still opaque: a power of 2.
   static double ChooseMostDepth(double unitsOfSlab);
 
   /// Integrates one row of RGBA, alpha an optical depth, into ChooseWidth(width) entries.

@@ -17,10 +17,8 @@ class vtkImageData;
 class vtkOpenGLRenderWindow;
 struct vtkTextureSliceParts;
 
-/**
- * The image sample distance, pixels of the window for each pixel of the volume's picture along an
- * axis: 1, 2, 5 or 10, as in VTK's ray caster. A frame's time is taken to grow with its pixels.
- */
+/// The image sample distance, pixels of the window for each pixel of the volume's picture along an
+/// axis: 1, 2, 5 or 10, as in VTK's ray caster. A frame's time is taken to grow with its pixels.
 class VTKNEXRADRENDERING_EXPORT vtkTextureSliceResolution
 {
 public:
@@ -38,10 +36,7 @@ private:
   double FullTime = 0.0; ///< expected at a distance of 1; 0: not known yet
 };
 
-/**
- * RGBA of associated colour (Formulas R3), as large as the viewport, or coarser or finer, and a
- * copy of the depth of the opaque geometry that the window holds already.
- */
+/// RGBA of associated colour (Formulas R3), and a copy of the depth of the opaque geometry.
 class vtkTextureSliceTarget
 {
 public:
@@ -80,11 +75,7 @@ private:
   std::array<int, 3> DepthFormat{-1, 0, 0};
 };
 
-/**
- * What a mapper draws with RenderToImage, as VTK's ray caster draws it: associated colour, four
- * unsigned char a pixel, white where a ray misses the volume; and depths of the window, 0 to 1, in
- * the type of the mapper's DepthImageScalarType.
- */
+/// What a mapper draws with RenderToImage: see its GetColorImage.
 struct vtkTextureSliceImages
 {
   vtkNew<vtkImageData> Color;

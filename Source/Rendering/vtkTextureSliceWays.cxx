@@ -366,7 +366,8 @@ bool vtkTextureSliceWays::Choose(const vtkTextureSliceParts& parts)
   }
   if (way == Mapper::COMPUTE && !HasCompute())
   {
-    this->Fallback = "the context has no compute shaders (OpenGL 4.3): fragments draw the volume";
+    this->Fallback =
+      "the context has no compute shaders (GL_ARB_compute_shader): fragments draw the volume";
     way = Mapper::FRAGMENTS;
   }
   if (way == Mapper::COMPUTE && !this->Ready(Mapper::COMPUTE, parts, "fragments draw the volume"))

@@ -40,15 +40,11 @@ private:
 /// Pixels of a picture: lower left column and row, then the column and the row where they end.
 using vtkTextureSlicePixels = std::array<int, 4>;
 
-/**
- * For each pixel, one fragment or one invocation of a compute shader goes along the pixel's ray.
- * Polygons are slices as graphics cards have drawn them since they have textures: the outline of
- * the volume's box once a plane, the nearest plane first, each blended behind those before. A
- * fragment is then the one sample of its ray on that plane. This is what the other ways are
- * compared with, and what is left where their shaders do not compile. Polygons draw composite
- * blending of samples alone; of a ray that is shorter than two slices they have the samples on
- * planes alone.
- */
+/// For each pixel, one fragment or one invocation of a compute shader goes along the pixel's ray.
+/// Polygons are the outline of the volume's box once a plane, the nearest plane first, each blended
+/// behind those before: a fragment is the one sample of its ray on that plane. They draw composite
+/// blending of samples alone, and of a ray that is shorter than two slices the samples on planes
+/// alone. The other ways are compared with them, and they are left where no other shader compiles.
 class vtkTextureSliceWays
 {
 public:

@@ -10,12 +10,11 @@
 #include <cstddef>
 #include <optional>
 #include <tuple>
+#include <utility>
 #include <vector>
 
-/**
- * A volume cut into cells of whole voxels, as near to cubes as they can be. Lengths are data
- * lengths: those of the volume before its actor's matrix.
- */
+/// A volume cut into cells of whole voxels, as near to cubes as they can be. Lengths are data
+/// lengths: those of the volume before its actor's matrix.
 struct VTKNEXRADRENDERING_EXPORT vtkTextureSliceLightGrid
 {
   std::array<int, 3> Voxels{1, 1, 1}; ///< along each axis: points, or cells of the volume
@@ -60,14 +59,10 @@ struct VTKNEXRADRENDERING_EXPORT vtkTextureSliceCut
   }
 };
 
-/**
- * The extinction of each cell of a grid (Formulas L2: -ln(1 - opacity) over a length): the mean of
- * its voxels', which the transfer functions give. Voxels that are hidden, that are not finite, or
- * that a mask leaves out let all light through. Gradient opacity does not count.
- *
- * With isosurfaces, the mean scalar of its visible voxels; not a number where fewer than half of
- * them are visible: no surface has an end there.
- */
+/// The extinction of each cell of a grid (Formulas L2: -ln(1 - opacity) over a length): the mean of
+/// its voxels', which the transfer functions give. Voxels that are hidden, not finite or left out
+/// by a mask let all light through. With isosurfaces, the mean scalar of its visible voxels; not a
+/// number where fewer than half of them are visible: no surface has an end there.
 class VTKNEXRADRENDERING_EXPORT vtkTextureSliceLightCells
 {
 public:
@@ -86,17 +81,8 @@ public:
     }
   };
 
-  /// An isosurface, and the optical depth of crossing it: -ln(1 - opacity).
-  struct Surface
-  {
-    float Value;
-    float Depth;
-
-    bool operator==(const Surface& other) const
-    {
-      return this->Value == other.Value && this->Depth == other.Depth;
-    }
-  };
+  /// The value of an isosurface, and the optical depth of crossing it: -ln(1 - opacity).
+  using Surface = std::pair<float, float>;
 
   /// What the cells are made from.
   struct Source

@@ -15,14 +15,12 @@ namespace
 {
 
 // The transmittance exp(-integral of the extinction) from the centre of each cell to where a
-// direction leaves the volume (Formulas L2). A direction is followed plane by plane of cells, from
-// where it enters, along the axis on which it takes the fewest steps. Parallel rays, one cell
-// apart, keep the depths that they have come through; a plane's extinction is interpolated to where
-// the rays cross it, and the transmittance of the rays to the centres of its cells. So light is
-// interpolated twice however long its way is, and shadows have the same edges far from what casts
-// them as near to it. A ray crosses an isosurface between two planes where its scalars lie on
-// either side of the value, and loses what the surface takes: the same whatever the size of the
-// cells.
+// direction leaves the volume (Formulas L2). A direction is followed plane by plane of cells, along
+// the axis on which it takes the fewest steps. Parallel rays, one cell apart, keep the depths that
+// they have come through; a plane's extinction is interpolated to where the rays cross it, and the
+// transmittance of the rays to the centres of its cells. So shadows have the same edges far from
+// what casts them as near to it. A ray crosses an isosurface between two planes where its scalars
+// lie on either side of the value.
 
 /// exp(-depth), at most 1, within 0.01 %, and without a branch, so that a compiler does several at
 /// a time.

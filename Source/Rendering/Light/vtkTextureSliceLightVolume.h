@@ -13,11 +13,9 @@
 #include <tuple>
 #include <vector>
 
-/**
- * Two components for each cell of a vtkTextureSliceLightGrid, 0 to 1 (all light): the transmittance
- * to the light, and its mean over directions all over the upper half of the sky (Formulas L2). A
- * component that is not asked for is 1 everywhere. It needs no OpenGL.
- */
+/// Two components for each cell of a vtkTextureSliceLightGrid, 0 to 1 (all light): the
+/// transmittance to the light, and its mean over directions all over the upper half of the sky
+/// (Formulas L2). A component that is not asked for is 1 everywhere. It needs no OpenGL.
 class VTKNEXRADRENDERING_EXPORT vtkTextureSliceLightVolume
 {
 public:

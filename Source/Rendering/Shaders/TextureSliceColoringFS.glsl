@@ -1,7 +1,6 @@
 // Rows of colour and opacity over 0 to 1, one for each set of functions and one for each label from 1 on;
-// then, with gradient opacity, as many rows of it. A single row is a 1-D texture: its look-up reads half as many texels.
-// Composite: the alpha of the sets of functions is the optical depth of a unit distance, for each
-// factor of 2 that it weakens what is behind (Formulas R1).
+// then, with gradient opacity, as many rows of it. A single row is a 1-D texture, whose look-up reads half as
+// many texels. Composite: alpha is the optical depth of a unit distance, in factors of 2 (Formulas R1).
 uniform TEXTURE_SLICE_TABLE transferTable;
 // From 0 to 1 to the centres of the first and the last entry.
 uniform float tableScale;
@@ -23,7 +22,6 @@ vec4 LookUp(float scalar, int row)
 }
 
 uniform float componentWeight[TEXTURE_SLICE_COMPONENTS];
-
 // The unit distance of the first component over those of all.
 uniform float unitDistanceRatio[TEXTURE_SLICE_COMPONENTS];
 
@@ -49,8 +47,7 @@ uniform float labelWeight;
 #endif
 
 #ifdef TEXTURE_SLICE_TABLE_2D
-// Colour and opacity over scalar (to the right) and gradient magnitude or second array (up), all sets of
-// functions one above the other.
+// Over scalar (to the right) and gradient magnitude or second array (up), all sets one above the other.
 uniform sampler2D transferTable2D;
 
 // What a set of functions makes of a scalar.

@@ -3,7 +3,6 @@
 // Hands the finished volume (associated colour) to the window, with the final window and level.
 //VTK::Output::Dec
 
-// See vtkTextureSliceFeatures::GetDefines.
 //VTK::TextureSlice::Defines
 
 // From a pixel of the window to the picture: scale and bias.
@@ -18,8 +17,7 @@ uniform vec3 selectionColor;
 #endif
 
 #ifdef TEXTURE_SLICE_PEEL
-// Depth peeling: the pass has a texture of what is behind the geometry that is left, and one of what is
-// in front of it. Whether the picture is that of what lies in front of the geometry that is left.
+// Depth peeling: whether the picture is that of what lies in front of the geometry that is left.
 uniform int peelInFront;
 #if TEXTURE_SLICE_PEEL == TEXTURE_SLICE_PEEL_BETWEEN
 // What was peeled from the front so far.

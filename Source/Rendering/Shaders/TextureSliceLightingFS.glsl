@@ -116,15 +116,13 @@ vec3 Light(vec3 color, vec3 gradient, vec4 surface)
 // What of the light arrives at a sample.
 #ifdef TEXTURE_SLICE_SHADOWS
 
+// Red is the transmittance to the light, green its mean over the sky (Formulas L2).
 uniform sampler3D lightTexture;
-
 // From the volume's texture coordinates to those of the light.
 uniform vec3 lightTextureScale;
-
 // How strong shadow and occlusion are, 0 to 1.
 uniform vec2 lightStrength;
 
-// Of the light's texture, red is the transmittance to the light, green its mean over the sky (Formulas L2).
 vec2 Weaken(vec2 transmittance)
 {
   return mix(vec2(1.0), transmittance, lightStrength);
@@ -155,15 +153,13 @@ uniform vec2 lightSurfaces[TEXTURE_SLICE_ISO_VALUES];
 vec2 litSurface = vec2(0.0);
 float sideOfEye = 1.0;
 
-// How far from the surface light is looked up, in the distances at which no cell that is
-// interpolated lies behind the surface.
+// How far from the surface light is looked up, so that no interpolated cell lies behind the surface.
 const float lightClearance = 1.25;
 // Cosine of the angle to the light at which a surface begins to shadow itself.
 const float grazing = 0.1;
 
-// What the other surfaces let through between the lit one and the place where light is looked up,
-// whose scalar differs by that. Of a surface near that place the light volume contains a part of
-// what it takes, because cells on either side are interpolated: 1.7 is what errs least.
+// What the other surfaces let through up to the place where light is looked up, whose scalar differs by that.
+// A surface near that place is partly in the light there, between cells: 1.7 is what errs least.
 float CrossOtherSurfaces(float change)
 {
   float left = 1.0;
@@ -176,9 +172,8 @@ float CrossOtherSurfaces(float change)
   return left;
 }
 
-// The light, and the sky's, of a place on a surface are those beside it on the side of the eye: on
-// the way to the light, where the shadows are the same, or straight off where that leads along the
-// surface. Light from behind as the eye sees it has crossed the surface.
+// The light on a surface is that beside it on the side of the eye: on the way to the light, where the shadows
+// are the same, or straight off where that leads along the surface. Light from behind has crossed the surface.
 vec2 FindArriving(vec3 gradient)
 {
   vec3 slope = gradient * gradientToCells;

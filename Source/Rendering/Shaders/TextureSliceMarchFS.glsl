@@ -61,8 +61,7 @@ vec4 March()
   return FindPicture();
 }
 #elif TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ISOSURFACE
-// Surfaces between two planes, or a plane and an end of the ray. An inner loop goes on until all rays that
-// a processor goes along together have crossed a surface: light costs many times as much as a step.
+// Surfaces between two planes, or a plane and an end of the ray. The inner loop goes on to the next surface.
 vec4 March()
 {
 #ifdef TEXTURE_SLICE_SKIPPING

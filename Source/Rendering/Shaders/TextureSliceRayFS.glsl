@@ -1,7 +1,6 @@
 // The ray of a pixel. Places on it are counted in slices: 0 is the nearest plane, 1 the next one.
 
-// Columns to the right, up, and at the corner of the picture: a pixel's place on the nearest plane, and
-// its way to the next one, as texture coordinates.
+// From a pixel to its place on the nearest plane, and its way to the next one, as texture coordinates.
 uniform mat3 placeOfPixel;
 uniform mat3 stepOfPixel;
 // From the box (0 to 1 along each axis) to texture coordinates.
@@ -32,16 +31,14 @@ vec3 sampleStep = vec3(0.0);
 vec2 raySpan = vec2(0.0);
 ivec2 windowPixel = ivec2(0);
 
-// Where the volume is sampled, on the ray and as texture coordinates, and how many unit distances the sample
-// stands for.
+// Where the volume is sampled, and how many unit distances the sample stands for.
 float sampleAt = 0.0;
 vec3 textureCoordinate = vec3(0.0);
 float sampleUnits = 0.0;
 
 #ifdef TEXTURE_SLICE_PEEL
-// Depth peeling: between which depths of the window a pixel's part of the volume lies. The textures
-// have the names that VTK's pass gives them. Each has a negative nearest depth and a farthest depth;
-// -1 stands for none.
+// Depth peeling: between which depths of the window a pixel's part of the volume lies. The textures of
+// VTK's pass have a negative nearest depth and a farthest depth; -1 stands for none.
 
 // Whether the picture is that of what lies in front of the geometry that is left.
 uniform int peelInFront;
@@ -139,8 +136,7 @@ const float leastSlices = 0.0;
 const float leastSlices = 2.0;
 #endif
 
-// False where the ray meets nothing that is drawn. A ray whose way is short against the distance of two
-// planes has slices of its own.
+// False where the ray meets nothing that is drawn. A ray with a short way has slices of its own.
 bool StartRay(vec2 pixel)
 {
   windowPixel = ivec2(pixel * pixelSize);

@@ -167,8 +167,7 @@ vec4 FindPicture()
   return picture.a > 0.0 ? picture : vec4(PlaceAt(raySpan.x), 0.5);
 }
 #elif defined TEXTURE_SLICE_LIT_TURNS
-// Formulas T9, R3. Samples of one turn of the loop are lit together, at the mean of their places: light
-// changes little from one to the next, and looking it up costs as much as looking up a scalar.
+// Formulas T9, R3. Samples of one turn of the loop are lit together, at the mean of their places.
 vec3 unlit = vec3(0.0);
 // The sum of their places times the opacities that they add, and that of these opacities.
 vec2 ofTurn = vec2(0.0);

@@ -49,8 +49,7 @@ uniform vec4 stair;
 
 // The visible part of the points about a place between visible and hidden ones. A slanted edge of what
 // is visible is a stair of voxels, whose steps are many voxels high where voxels are flat: the mean over
-// about the height of a step makes a slope of it. For surfaces alone, whose ends are sharp: software
-// renderers run through the branch at each sample.
+// about the height of a step makes a slope of it.
 float FindVisiblePart(vec3 at, float here)
 {
   float sum = here;
@@ -63,9 +62,8 @@ float FindVisiblePart(vec3 at, float here)
 }
 #endif
 
-// Below 0 where there is nothing to see. The last component of masked texels is 1 at visible points
-// and 0 at hidden ones, where the others are 0 too. Their quotient is the mean of the visible points
-// alone; where the hidden ones weigh more, there is nothing to see.
+// Below 0 where there is nothing to see. The last component of masked texels is 1 at visible points and 0 at
+// hidden ones, where the others are 0 too: their quotient is the mean of the visible points alone.
 float FetchVisibility(vec3 at, out vec4 scalars)
 {
   scalars = textureLod(volumeTexture, Place(at), 0.0);
@@ -158,8 +156,7 @@ float FetchNeighbour(vec3 at, int component, float here)
 }
 
 #ifdef TEXTURE_SLICE_SMOOTH_GRADIENT
-// Differences between the corners of a cube that is three voxels wide, where each sample is a mean of
-// eight voxels: a noise of single voxels weighs little. As the central differences below.
+// Differences between the corners of a cube that is three voxels wide, each a mean of eight voxels.
 vec3 Differences(float here, int component)
 {
   const float reach = 1.5;
@@ -188,8 +185,7 @@ vec3 Differences(float here, int component)
 }
 #endif
 
-// xyz: the gradient in data coordinates, of any length; w: its magnitude, 0 to 1
-// for a quarter of the scalars' range over the mean spacing.
+// xyz: the gradient in data coordinates; w: 0 to 1 for a quarter of the scalars' range over the mean spacing.
 vec4 Gradient(vec4 scalars, int component)
 {
   vec3 gradient = Differences(scalars[component], component) * inverseAspect;

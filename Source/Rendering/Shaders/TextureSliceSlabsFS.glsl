@@ -2,8 +2,8 @@
 // Pre-integrated classification (Formulas L1). A piece of the ray is divided into slabs with samples at their
 // ends. Along a slab, the scalar is linear from its front to its middle, and from there to its back.
 
-// For each set of functions, and each label, the integrals over the scalars from 0 on: colour times optical depth of
-// a unit distance, and that depth; the integrals are counted in entries.
+// For each set of functions, and each label: colour times optical depth of a unit distance, and that depth,
+// integrated over the entries from 0 on.
 uniform TEXTURE_SLICE_INTEGRAL_TABLE integralTable;
 // The number of the last entry, that of the scalar 1.
 uniform float lastIntegral;
@@ -86,9 +86,8 @@ void FindPoints(SlabEnd ends[ENDS], out vec4 points[POINTS])
   }
 }
 
-// Integrals are read at whole entries, because interpolating two of them costs a software renderer
-// twice as much. Where two scalars in a row have the same entry, the second one has the entry on its
-// other side: for equal scalars the mean between the two entries about them is the limit.
+// Where two scalars in a row have the same entry, the second one has the entry on its other side: for
+// equal scalars the mean between the two entries about them is the limit.
 float FindEntry(float scalar, float before)
 {
   float place = clamp(scalar * lastIntegral, 0.0, lastIntegral - 1.0);
@@ -116,8 +115,8 @@ vec4 AddPart(vec4 color, vec4 front, vec4 back, float scale)
   return color + opacity * vec4(clamp(sum.rgb / max(sum.a, 1e-30), 0.0, 1.0), 1.0);
 }
 
-// The associated colour of a slab, so many unit distances thick, by the functions of one row. A slab has two
-// parts, because its front hides some of its back. entry, integrals: at its front, then at its back.
+// The associated colour of a slab by the functions of one row. It has two parts, because its front hides some
+// of its back. entry, integrals: at its front, then at its back.
 vec4 IntegrateSlab(
   float middle, float back, float units, int row, inout float entry, inout vec4 integrals)
 {
@@ -217,13 +216,11 @@ vec4 FinishSlab(Slab slab)
 }
 
 #ifdef TEXTURE_SLICE_GRADIENT
-// TEXTURE_SLICE_SLABS, as a number that the compiler does not know: it would take seconds for several copies of
-// gradient and light.
+// TEXTURE_SLICE_SLABS, unknown to the compiler, which would take seconds for copies of gradient and light.
 uniform int slabsOfPiece;
 #endif
 
-// Divides a piece of the ray into slabs, the nearest first. frontEnd: at the front of the piece, then at its
-// back.
+// Divides a piece of the ray into slabs. frontEnd: at the front of the piece, then at its back.
 void GatherPiece(float front, float back, inout SlabEnd frontEnd)
 {
   float thickness = (back - front) / float(TEXTURE_SLICE_SLABS);

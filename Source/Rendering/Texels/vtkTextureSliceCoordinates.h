@@ -15,12 +15,10 @@ class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkRectilinearGrid;
 
-/**
- * The slices draw a rectilinear grid as an image of the same arrays in the same bounds. Wherever
- * the shaders read a texture of the volume, they look up how far a place of the image lies among
- * the points of the grid. The table of an axis has at least sixteen entries in the shortest
- * interval, as far as the largest texture allows: then a place errs by at most 1/64 of a voxel.
- */
+/// The slices draw a rectilinear grid as an image of the same arrays in the same bounds; the
+/// shaders look up how far a place of it lies among the grid's points. The table of an axis has at
+/// least sixteen entries in the shortest interval, as far as the largest texture allows: then a
+/// place errs by at most 1/64 of a voxel.
 class vtkTextureSliceCoordinates
 {
 public:

@@ -18,13 +18,8 @@
 
 class vtkImageData;
 
-/**
- * What the codes of a volume stand for. Scalars NAME of one unsigned char are codes where the
- * image's field data have `NAME_code_values`: 256 numbers, the value of each code. A second array,
- * `NAME_code_ghosts` of 256 unsigned char, may give each code flags of vtkGhostType, each of which
- * hides it. The picture is that of scalars with these values and flags; codes whose value is not
- * finite are hidden too.
- */
+/// What the codes of a volume stand for (see vtkOpenGLTextureSliceVolumeMapper). Codes with any
+/// ghost flag, and those whose value is not finite, are hidden.
 struct VTKNEXRADRENDERING_EXPORT vtkTextureSliceCodes
 {
   static constexpr std::size_t Count = 256;

@@ -15,12 +15,9 @@
 #include <optional>
 #include <vector>
 
-/**
- * A volume cut into blocks of 8 x 8 x 8 texels (the last ones along an axis may be shorter), and
- * for each a checksum of 64 bits of its scalars and its hidden texels. A change of one scalar
- * always changes the checksum; that two different blocks have the same by chance has a probability
- * of 2 to the power of -64.
- */
+/// A volume cut into blocks of 8 x 8 x 8 texels (the last ones along an axis may be shorter), and
+/// for each a checksum of 64 bits of its scalars and its hidden texels. A change of one scalar
+/// always changes it.
 class VTKNEXRADRENDERING_EXPORT vtkTextureSliceBlocks
 {
 public:
@@ -66,13 +63,10 @@ struct vtkTextureSliceChanges
   std::unique_ptr<unsigned char[]> Bytes;
 };
 
-/**
- * How scalars become texels. Scalars of 8 and 16 bits keep their size and all their values; float
- * stays as it is; wider types become float, spread over 0 to 1 so that large values keep their
- * differences. Codes become bytes of even steps where their values allow that, else float values:
- * what lies between two texels is then what lies between their values. Where some are invisible,
- * each texel has one more component, 1 where it is visible, else 0 as the others are then.
- */
+/// How scalars become texels. Scalars of 8 and 16 bits and floats keep their values; wider types
+/// become float, spread over 0 to 1 so that large values keep their differences. Codes become bytes
+/// of even steps where their values allow that, else floats. Where some are invisible, each texel
+/// has one more component, 1 where it is visible, else 0 as the others are then.
 struct vtkTextureSliceTexels
 {
   vtkTextureSliceTexels() = default;

@@ -20,13 +20,9 @@
 class vtkInformationObjectBaseKey;
 class vtkOpenGLRenderWindow;
 
-/**
- * How scalars become texels, their bricks and the checksums of their blocks. Making one takes a
- * look at all scalars, several times as long as uploading what a time step changes; it needs no
- * OpenGL and can be done on another thread, before the scalars are handed to the mapper. Then it
- * stays with the array (in its information). It takes 16 bytes a brick and 8 a block: 2 MB at 256 x
- * 256 x 128.
- */
+/// How scalars become texels, their bricks and the checksums of their blocks: 2 MB at 256 x 256 x
+/// 128. Making one takes a look at all scalars, without OpenGL, and can be done on another thread,
+/// before the scalars are handed to the mapper; then it stays with the array (in its information).
 class vtkTextureSliceChecksums : public vtkObject
 {
 public:
@@ -38,9 +34,8 @@ public:
     bool, std::optional<vtkTextureSliceCodes>, std::array<std::vector<double>, 3>>;
   static Key MakeKey(const vtkTextureSliceScalars& source);
 
-  /// Makes the checksum and leaves it with the array, whose size must be that of the source. With
-  /// the checksum of the scalars that are expected to be in the texture before, the texels that
-  /// change are encoded as well, to stay until TakeChanges.
+  /// Makes the checksum and leaves it with the array. With that of the scalars that are expected to
+  /// be in the texture before, the texels that change are encoded as well, until TakeChanges.
   static vtkSmartPointer<vtkTextureSliceChecksums> Prepare(
     const vtkTextureSliceScalars& source, const vtkTextureSliceChecksums* before);
   /// The checksum that was prepared, if nothing has changed since, or a new one.
@@ -72,12 +67,10 @@ private:
   std::optional<vtkTextureSliceChanges> Prepared;
 };
 
-/**
- * One to four components of scalars of any type, one texel for each point (or cell), as
- * vtkTextureSliceTexels encodes them. Of scalars that take the place of others of the same size and
- * type, only the blocks that differ are uploaded. OpenGL's textures have four components at most,
- * so four components of scalars cannot be masked.
- */
+/// One to four components of scalars, one texel for each point (or cell), as vtkTextureSliceTexels
+/// encodes them. Of scalars that take the place of others of the same size and type, only the
+/// blocks that differ are uploaded. Four components cannot be masked, because texels have four at
+/// most.
 class vtkTextureSliceTexture
 {
 public:
