@@ -181,15 +181,13 @@ public:
   vtkGetMacro(Way, int);
   ///@}
 
+  ///@{
   /**
-   * The way that the last frame was drawn in; AUTOMATIC before the first.
+   * The way and the number of slices of the last frame; AUTOMATIC and 0 before the first.
    */
   int GetDrawnWay() const;
-
-  /**
-   * Slices that the last frame drew; 0 before the first.
-   */
   int GetNumberOfDrawnSlices() const;
+  ///@}
 
   ///@{
   /**

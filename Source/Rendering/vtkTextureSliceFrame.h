@@ -117,9 +117,9 @@ struct vtkTextureSliceFrame
   double ShortestVoxelEdge = 1.0; ///< world length
 };
 
-/// The lights that are switched on. As in VTK's ray caster, a single headlight shines along each
-/// ray and is reckoned in data coordinates, everything else in camera coordinates; a headlight's
-/// ambient colour is ignored and the sample's own used in its place.
+/// The lights that are switched on, as VTK's ray caster has them: a single headlight shines along
+/// each ray, in data coordinates, with the sample's ambient colour; others stand in camera
+/// coordinates.
 class vtkTextureSliceLights
 {
 public:

@@ -225,6 +225,10 @@ std::string vtkTextureSliceParts::Draw()
     {
       this->UpdateIntegrals();
     }
+    if (this->Features.Shadows)
+    {
+      this->Shadows.Upload(this->Window, this->Features.HasJoinedLight());
+    }
     if (this->Features.Skipping)
     {
       this->EmptySpace.Distances.Upload(this->Window);

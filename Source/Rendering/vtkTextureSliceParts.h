@@ -27,8 +27,7 @@ class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 class vtkTextureObject;
 
-/// What vtkOpenGLTextureSliceVolumeMapper works with, one job each. Each part decides for itself
-/// what a change makes it do anew; the rest is set anew in each frame.
+/// What the mapper works with, one job each. Each part decides what a change makes it do anew.
 struct vtkTextureSliceParts
 {
   /// The volume of this frame; of a rectilinear grid, an image of its points or cells.
@@ -66,8 +65,8 @@ struct vtkTextureSliceParts
 
   /// The window whose context owns the graphics resources.
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
-  /// What was said of the last frame: what it refused, what it ignored, and why it was drawn in
-  /// another way than asked for. The same is not said again.
+  /// What was said of the last frame, and is not said again: what it refused, what it ignored, and
+  /// why it was drawn in another way.
   std::array<std::string, 3> Said;
 
   /// Deletes the graphics resources in the context of the window that owns them; the current

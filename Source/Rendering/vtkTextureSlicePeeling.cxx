@@ -41,8 +41,8 @@ vtkTextureSlicePeeling::Stage FindStage(const std::string& declared)
                                          : vtkTextureSlicePeeling::Outside;
 }
 
-/// VTK's pass cannot read the opaque geometry's depth from several samples a pixel, and takes all
-/// that is translucent for hidden. Passes of the renderer's own draw into pictures without them.
+/// VTK's pass takes all that is translucent for hidden where a pixel has several samples. Passes of
+/// the renderer's own draw into pictures without them.
 const char* FindUnsupported(vtkRenderer* renderer)
 {
   return renderer->GetPass() == nullptr && renderer->GetRenderWindow()->GetMultiSamples() > 0

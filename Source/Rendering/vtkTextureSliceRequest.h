@@ -44,10 +44,8 @@ struct vtkTextureSliceFeatures
   int Contours = 0; ///< rays begin at the first contour of these values; 0: where they enter
   /// Several slabs are faster together, but rays that end in the first one pay for all of them.
   static constexpr int SlabsOfPiece = 3;
-  bool Slabs = false; ///< the functions are integrated over slabs (Formulas L1)
-  /// An extreme of dependent components: all of them are those of the sample with the extreme of
-  /// the last one.
-  bool ExtremeSample = false;
+  bool Slabs = false;         ///< the functions are integrated over slabs (Formulas L1)
+  bool ExtremeSample = false; ///< components are those of the sample with the last one's extreme
   int ClippingPlanes = 0;
   bool Skipping = false; ///< rays leap over empty bricks
   bool Places = false;   ///< the picture is of the first places that are seen, not of colours
@@ -65,6 +63,8 @@ struct vtkTextureSliceFeatures
   /// Whether the shader reads the depth of the opaque geometry; peeling has depths of its own.
   bool NeedsDepth() const { return this->Peel == 0; }
   bool HasMask() const { return this->BinaryMask || this->Labels > 0; }
+  /// Whether shadow and occlusion darken colours alike: without shading and surfaces.
+  bool HasJoinedLight() const { return this->Lights < 0 && this->IsoValues == 0; }
   /// The first lines of the fragment shaders.
   std::string GetDefines() const;
 };

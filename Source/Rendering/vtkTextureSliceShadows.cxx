@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace
 {
@@ -183,20 +184,31 @@ void vtkTextureSliceShadows::Update(const Source& source, bool interactive)
     this->Texture->ReleaseGraphicsResources(source.Window);
   }
   this->Exposure = static_cast<float>(mapper->GetExposure());
-  if (this->Texture->GetHandle() == 0)
-  {
-    this->Upload(source.Window);
-  }
 }
 
-void vtkTextureSliceShadows::Upload(vtkOpenGLRenderWindow* window)
+void vtkTextureSliceShadows::Upload(vtkOpenGLRenderWindow* window, bool joined)
 {
+  const std::tuple<bool, float, std::array<float, 2>> wanted{
+    joined, this->Exposure, this->Strength};
+  if (this->Texture->GetHandle() != 0 && wanted == this->Uploaded)
+  {
+    return;
+  }
+  this->Uploaded = wanted;
+  float* light = this->Volume.GetLight()->GetPointer(0);
+  std::vector<float> product(joined ? this->Volume.GetGrid().CountCells() : 0);
+  for (std::size_t i = 0; i < product.size(); ++i)
+  {
+    product[i] = this->Exposure * (1.0f - this->Strength[0] * (1.0f - light[2 * i])) *
+                 (1.0f - this->Strength[1] * (1.0f - light[2 * i + 1]));
+  }
   const auto& size = this->Volume.GetGrid().Size;
   this->Texture->SetContext(window);
+  this->Texture->ResetFormatAndType();
   vtkTextureSliceSetSampling(this->Texture, false);
   this->Texture->Create3DFromRaw(static_cast<unsigned int>(size[0]),
-    static_cast<unsigned int>(size[1]), static_cast<unsigned int>(size[2]), 2, VTK_FLOAT,
-    this->Volume.GetLight()->GetPointer(0));
+    static_cast<unsigned int>(size[1]), static_cast<unsigned int>(size[2]), joined ? 1 : 2,
+    VTK_FLOAT, joined ? product.data() : light);
 }
 
 void vtkTextureSliceShadows::MakeImage(vtkImageData* volume, bool cellData)
@@ -227,7 +239,6 @@ void vtkTextureSliceShadows::SetUniforms(
 {
   program->SetUniform3f("lightTextureScale", this->Volume.GetGrid().GetTextureScale().data());
   program->SetUniform2f("lightStrength", this->Strength.data());
-  program->SetUniformf("exposure", this->Exposure);
   if (!this->Last.Cells.Surfaces.empty())
   {
     this->SetSurfaces(program, uniforms);

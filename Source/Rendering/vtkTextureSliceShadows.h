@@ -9,6 +9,7 @@
 #include "vtkType.h"
 
 #include <array>
+#include <tuple>
 
 class vtkImageData;
 class vtkOpenGLRenderWindow;
@@ -27,6 +28,9 @@ public:
 
   /// Whether the last Update was asked for shadow or occlusion, and the blend mode has them.
   bool IsUsed() const { return this->Used; }
+  /// Brings the light into texture memory.
+  /// @param joined whether what is left of a colour is one channel, which costs half to look up.
+  void Upload(vtkOpenGLRenderWindow* window, bool joined);
   vtkTextureObject* GetTexture() const { return this->Texture; }
   void SetUniforms(vtkShaderProgram* program, const vtkTextureSliceParts& uniforms) const;
 
@@ -43,7 +47,6 @@ private:
   };
 
   void SetSurfaces(vtkShaderProgram* program, const vtkTextureSliceParts& uniforms) const;
-  void Upload(vtkOpenGLRenderWindow* window);
   void MakeImage(vtkImageData* volume, bool cellData);
 
   bool Used = false;
@@ -52,6 +55,8 @@ private:
   vtkTextureSliceLightVolume Volume;
   std::array<float, 2> Strength{};
   float Exposure = 1.0f;
+  /// Of the texture: whether it is joined, exposure and strengths.
+  std::tuple<bool, float, std::array<float, 2>> Uploaded{};
   vtkNew<vtkTextureObject> Texture;
   vtkNew<vtkImageData> Image;
 };

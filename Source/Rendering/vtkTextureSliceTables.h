@@ -53,8 +53,7 @@ private:
   std::vector<std::size_t> VisibleBefore{0};
 };
 
-/// A function over the range of a component, and whether its own range clamps the scalar first
-/// (vtkGPUVolumeRayCastMapper::NATIVE).
+/// The range of a component, and whether a function's own clamps the scalar first (NATIVE).
 struct vtkTextureSliceDomain
 {
   std::array<double, 2> Range{0.0, 1.0};

@@ -70,8 +70,7 @@ private:
   vtkOpenGLRenderWindow* Window = nullptr;
   std::array<int, 4> Viewport{}; ///< left, bottom, width, height
   bool FullPrecision = false;    ///< of Color
-  /// Of Depth: bits, whether they are floats, whether a stencil is with them. OpenGL copies depth
-  /// only between equal formats.
+  /// Of Depth, which must be the window's: bits, whether they are floats, whether with a stencil.
   std::array<int, 3> DepthFormat{-1, 0, 0};
 };
 

@@ -118,8 +118,7 @@ const std::array<const char*, 4> Names{"automatic", "fragments", "compute", "pol
 /// Where fragments, or compute, spend their time: at most so many columns and rows of the picture.
 constexpr int SizeOfTrial = 256;
 constexpr int RoundsOfTrial = 4;
-/// Compute must win by more than the factor 2 by which times differ where other programs take one
-/// of two processors from a software renderer.
+/// By less than a factor of 2, times differ where other programs take one of two processors.
 constexpr double MostOfFragments = 0.5;
 
 /// Whether compute is much faster, for each renderer that had a trial in this thread.
@@ -303,8 +302,7 @@ void vtkTextureSliceWays::RunTrial(vtkTextureSliceParts& parts, const vtkTexture
     part[axis] = std::max(part[axis], middle - SizeOfTrial / 2);
     part[axis + 2] = std::min(part[axis + 2], middle + SizeOfTrial / 2);
   }
-  // The shortest times in turn: drivers finish shaders when they are used first, and other programs
-  // use the machine as well.
+  // The shortest times: drivers finish shaders at their first use, and other programs run as well.
   const std::array<Way, 2> ways{Mapper::FRAGMENTS, Mapper::COMPUTE};
   std::array<double, 2> milliseconds{1e30, 1e30};
   vtkOpenGLState* state = parts.Window->GetState();

@@ -30,13 +30,11 @@ struct VTKNEXRADRENDERING_EXPORT vtkTextureSliceLightGrid
     const std::array<double, 3>& voxelEdge, std::size_t mostCells);
 
   std::size_t CountCells() const;
-  /// The rows of a cell that are looked at, and their end: of large cells, the middle rows stand
-  /// for all.
+  /// The rows of a cell that are looked at, and their end: of large cells, the middle ones.
   std::array<int, 2> GetRows(int cell, std::size_t axis) const;
   /// Where the centre of a cell lies in the volume, 0 to 1 along an axis.
   double GetPlace(int cell, std::size_t axis) const;
-  /// Cells from the centre of the outermost cell to the face of the volume; below 0 where the
-  /// centre of an incomplete cell is outside.
+  /// Cells from the centre of the outermost cell to the face of the volume; below 0: outside of it.
   double GetMargin(std::size_t axis, bool high) const;
   /// The volume's texture coordinates times these are those of a texture of the cells.
   std::array<float, 3> GetTextureScale() const;

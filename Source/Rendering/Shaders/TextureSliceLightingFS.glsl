@@ -116,7 +116,7 @@ vec3 Light(vec3 color, vec3 gradient, vec4 surface)
 // What of the light arrives at a sample.
 #ifdef TEXTURE_SLICE_SHADOWS
 
-// Red is the transmittance to the light, green its mean over the sky (Formulas L2).
+// Red: transmittance to the light, green: its mean over the sky (Formulas L2); joined, red: what both leave.
 uniform sampler3D lightTexture;
 // From the volume's texture coordinates to those of the light.
 uniform vec3 lightTextureScale;
@@ -130,13 +130,9 @@ vec2 Weaken(vec2 transmittance)
 
 #if !defined TEXTURE_SLICE_LIGHTS && TEXTURE_SLICE_BLEND != TEXTURE_SLICE_ISOSURFACE
 #define TEXTURE_SLICE_LIT_TURNS 1
-uniform float exposure;
-
-// What shadow and occlusion leave of a colour that has no shading.
 float FetchLight(vec3 at)
 {
-  vec2 left = Weaken(textureLod(lightTexture, at * lightTextureScale, 0.0).rg);
-  return min(1.0, exposure * left.x * left.y);
+  return min(1.0, textureLod(lightTexture, at * lightTextureScale, 0.0).r);
 }
 #elif TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ISOSURFACE
 // Towards the light, of length 1, in cells of the light volume.

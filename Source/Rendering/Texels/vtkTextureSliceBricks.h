@@ -11,11 +11,10 @@
 #include <limits>
 #include <vector>
 
-/// A volume cut into small bricks of voxels (the last ones along an axis may be shorter; those of a
-/// rectilinear grid are equal parts of its box, and touch as many voxels as lie there), and for
-/// each the least and the greatest scalar that a sample inside it can meet: those on its faces, or
-/// just outside where cell scalars are interpolated across them, count as well. Points (or cells)
-/// that are hidden, or of which a component is not finite, do not count.
+/// A volume cut into small bricks of voxels (those of a rectilinear grid are equal parts of its
+/// box), and for each the least and the greatest scalar that a sample inside it can meet: those on
+/// its faces, or just outside where cell scalars are interpolated across them, count as well.
+/// Points (or cells) that are hidden, or of which a component is not finite, do not count.
 struct VTKNEXRADRENDERING_EXPORT vtkTextureSliceBricks
 {
   /// Low is above High where there is nothing that counts.

@@ -41,8 +41,7 @@ public:
   /// The checksum that was prepared, if nothing has changed since, or a new one.
   static vtkSmartPointer<vtkTextureSliceChecksums> Get(const vtkTextureSliceScalars& source);
 
-  /// What has to be uploaded over a texture that holds `before`; nullptr: what it holds is not
-  /// known. Of what Prepare encoded, this has the last copy.
+  /// What has to be uploaded over a texture that holds `before`; nullptr: that is not known.
   vtkTextureSliceChanges TakeChanges(
     const vtkTextureSliceScalars& source, const vtkTextureSliceChecksums* before);
 
