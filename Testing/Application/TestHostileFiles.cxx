@@ -98,7 +98,7 @@ TEST_F(HostileFiles, InfoSaysWhatIsWrong)
   radarFiles.insert(data / "reports" / "faults" / "vheaders-mutated.gz");
   for (const fs::path& file : radarFiles)
   {
-    const ProgramRun run = RunNexrad3d({"info", file});
+    const ProgramRun run = RunNexrad3d({"info", "--echo", file});
     ExpectOrderly(run, file);
     EXPECT_AT_MOST(
       static_cast<double>(run.peakMemory) / 1e6, 100.0, "memory of info of a hostile file, MB");

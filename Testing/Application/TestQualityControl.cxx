@@ -92,7 +92,8 @@ TEST(QualityControl, InfoCountsGatesByReason)
 {
   NEXRAD_REQUIRE_TEST_DATA(data);
   const std::string file = data / groundEcho;
-  const auto echo = nlohmann::json::parse(RunNexrad3d({"info", "--json", file}).output)[0]["echo"];
+  const auto echo =
+    nlohmann::json::parse(RunNexrad3d({"info", "--json", "--echo", file}).output)[0]["echo"];
   const auto sumOf = [](const nlohmann::json& counts)
   {
     std::size_t sum = 0;
@@ -112,7 +113,9 @@ TEST(QualityControl, InfoCountsGatesByReason)
     count("ground") + count("spike") + count("receiver_fault") + count("speckle"));
   EXPECT_EQ(echo["taken_out"]["strict"].get<std::size_t>(),
     echo["taken_out"]["standard"].get<std::size_t>() + count("biological"));
-  const std::string table = RunNexrad3d({"info", file}).output;
+  EXPECT_TRUE(
+    nlohmann::json::parse(RunNexrad3d({"info", "--json", file}).output)[0]["echo"].is_null());
+  const std::string table = RunNexrad3d({"info", "--echo", file}).output;
   EXPECT_NE(table.find("echo: " + std::to_string(echo["gates"].get<std::size_t>()) +
                        " gates of REF with a value: weather "),
     std::string::npos)

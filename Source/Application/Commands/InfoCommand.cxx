@@ -32,6 +32,7 @@ struct InfoOptions
   std::string site;
   std::string position;
   bool json = false;
+  bool echo = false;
 };
 
 std::optional<GateRequest> ParseGate(const std::string& text)
@@ -120,10 +121,10 @@ struct InfoOutput
 // Says what is in the files, and fills the rest of the output.
 void ReadSubjects(const InfoOptions& options, const Level2Options& readOptions, InfoOutput& output)
 {
-  std::vector<GateRequest> requests;
+  InfoRequest request{options.echo, {}};
   for (const std::string& gate : options.gates)
   {
-    requests.push_back(*ParseGate(gate));
+    request.gates.push_back(*ParseGate(gate));
   }
   const std::vector<InputSubject> subjects = FindSubjects(options.files, output.anyDamage);
   ExplainedReader reader(subjects, readOptions);
@@ -132,22 +133,22 @@ void ReadSubjects(const InfoOptions& options, const Level2Options& readOptions, 
     const RadarVolume volume = reader.Next();
     output.anyUse = output.anyUse || !volume.sweeps.empty() || HoldsMetadataAlone(volume);
     output.anyDamage = output.anyDamage || !volume.damage.empty();
-    output.missingGates = NameMissingGates(volume, requests) || output.missingGates;
+    output.missingGates = NameMissingGates(volume, request.gates) || output.missingGates;
     if (subjects.size() > 1)
     {
       AddLowEchoes(volume, output.echoes);
     }
     if (options.json)
     {
-      output.report.push_back(MakeInfoJson(volume, requests));
+      output.report.push_back(MakeInfoJson(volume, request));
     }
-    else if (subject.ofFolder && requests.empty())
+    else if (subject.ofFolder && !request.echo && request.gates.empty())
     {
       PrintInfoLine(volume, std::cout);
     }
     else
     {
-      PrintInfoTable(volume, requests, std::cout);
+      PrintInfoTable(volume, request, std::cout);
     }
   }
 }
@@ -195,6 +196,8 @@ void AddInfoCommand(CLI::App& program, CommandAction& action)
     ->required();
   command->add_flag("--json", options->json,
     "print JSON: metres, degrees, metres a second, UTC (default: a table)");
+  command->add_flag("--echo", options->echo,
+    "count what quality control finds in the reflectivity: echo of weather, and of what else");
   command
     ->add_option("--gate", options->gates,
       "SWEEP,RAY,GATE, each counted from 0: print what this gate holds; may be given many times")

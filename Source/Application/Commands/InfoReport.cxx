@@ -226,12 +226,12 @@ std::vector<std::string> NotesOn(const RadarVolume& volume)
   return notes;
 }
 
-// What quality control finds in the reflectivity; empty without any.
-std::optional<ReasonCounts> CountEcho(const RadarVolume& volume)
+// What quality control finds in the reflectivity; empty without any, or where nobody asked for it.
+std::optional<ReasonCounts> CountEcho(const RadarVolume& volume, const InfoRequest& request)
 {
   const bool any = std::any_of(volume.sweeps.begin(), volume.sweeps.end(),
     [](const Sweep& sweep) { return sweep.Has(MomentName::REF); });
-  if (!any)
+  if (!any || !request.echo)
   {
     return std::nullopt;
   }
@@ -247,7 +247,7 @@ const Ray* FindRay(const RadarVolume& volume, const GateRequest& request)
   return found ? &volume.sweeps[request.sweep].rays[request.ray] : nullptr;
 }
 
-Json MakeInfoJson(const RadarVolume& volume, const std::vector<GateRequest>& requests)
+Json MakeInfoJson(const RadarVolume& volume, const InfoRequest& request)
 {
   const auto& position = volume.site.position;
   Json info = {{"file", volume.file},
@@ -260,7 +260,7 @@ Json MakeInfoJson(const RadarVolume& volume, const std::vector<GateRequest>& req
     {"start", TimeOrNull(volume.Start())}, {"end", TimeOrNull(volume.End())},
     {"complete", volume.complete}, {"cuts", MakeCuts(volume)}, {"damage", Json::array()},
     {"notes", NotesOn(volume)}, {"echo", nullptr}, {"sweeps", Json::array()}};
-  if (const auto echo = CountEcho(volume))
+  if (const auto echo = CountEcho(volume, request))
   {
     info["echo"] = MakeEchoJson(*echo);
   }
@@ -273,9 +273,9 @@ Json MakeInfoJson(const RadarVolume& volume, const std::vector<GateRequest>& req
   {
     info["sweeps"].push_back(MakeSweep(volume.sweeps[index], index, beamWidth));
   }
-  for (const GateRequest& request : requests)
+  for (const GateRequest& gate : request.gates)
   {
-    info["gates"].push_back(MakeGate(volume, request));
+    info["gates"].push_back(MakeGate(volume, gate));
   }
   return info;
 }
@@ -298,8 +298,7 @@ void PrintInfoLine(const RadarVolume& volume, std::ostream& out)
       << (volume.complete ? "complete" : "not complete") << '\n';
 }
 
-void PrintInfoTable(
-  const RadarVolume& volume, const std::vector<GateRequest>& requests, std::ostream& out)
+void PrintInfoTable(const RadarVolume& volume, const InfoRequest& request, std::ostream& out)
 {
   PrintHead(volume, out);
   if (!volume.sweeps.empty())
@@ -311,13 +310,13 @@ void PrintInfoTable(
   {
     PrintSweep(volume.sweeps[index], index, out);
   }
-  if (const auto echo = CountEcho(volume))
+  if (const auto echo = CountEcho(volume, request))
   {
     PrintEcho(*echo, out);
   }
-  for (const GateRequest& request : requests)
+  for (const GateRequest& gate : request.gates)
   {
-    PrintGate(MakeGate(volume, request), out);
+    PrintGate(MakeGate(volume, gate), out);
   }
   for (const std::string& note : NotesOn(volume))
   {

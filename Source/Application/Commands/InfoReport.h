@@ -20,14 +20,19 @@ struct GateRequest
   std::size_t gate = 0;
 };
 
+/// What is asked of a file beyond its sweeps and moments.
+struct InfoRequest
+{
+  bool echo = false; ///< what quality control finds in the reflectivity
+  std::vector<GateRequest> gates;
+};
+
 /// What `info --json` prints of one file: the schema is in Documentation/Formats/info.md. Gates
 /// that the file does not have come back without moments.
-nlohmann::ordered_json MakeInfoJson(
-  const RadarVolume& volume, const std::vector<GateRequest>& requests);
+nlohmann::ordered_json MakeInfoJson(const RadarVolume& volume, const InfoRequest& request);
 
 /// The same for people: a few lines on the file, a table of its sweeps, the gates, the notes.
-void PrintInfoTable(
-  const RadarVolume& volume, const std::vector<GateRequest>& requests, std::ostream& out);
+void PrintInfoTable(const RadarVolume& volume, const InfoRequest& request, std::ostream& out);
 
 /// The same in one line: name, site, times, VCP, numbers of sweeps and rays.
 void PrintInfoLine(const RadarVolume& volume, std::ostream& out);
