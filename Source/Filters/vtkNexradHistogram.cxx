@@ -5,6 +5,7 @@
 #include "nexrad/System/Error.h"
 #include "vtkNexradPipeline.h"
 #include "vtkNexradTwoFields.h"
+#include "vtkNexradVoxels.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkDataArrayRange.h"
@@ -72,12 +73,6 @@ vtkDataArray* FindArray(vtkImageData* image, const std::string& name)
   return array;
 }
 
-const unsigned char* FindBytes(vtkFieldData* arrays, const std::string& name, vtkIdType count)
-{
-  auto* bytes = vtkUnsignedCharArray::SafeDownCast(arrays->GetArray(name.c_str()));
-  return bytes && bytes->GetNumberOfValues() == count ? bytes->GetPointer(0) : nullptr;
-}
-
 // Which voxels are looked at, and which of these have a value.
 struct Voxels
 {
@@ -100,8 +95,10 @@ Voxels VoxelsOf(vtkImageData* image, const std::string& name, vtkIdType most)
   Voxels voxels;
   voxels.stride = most > 0 ? (count + most - 1) / most : 1;
   voxels.count = (count + voxels.stride - 1) / voxels.stride;
-  voxels.states = FindBytes(image->GetPointData(), name + "_state", count);
-  voxels.ghosts = FindBytes(image->GetPointData(), vtkDataSetAttributes::GhostArrayName(), count);
+  voxels.states =
+    vtkNexradFindValues<vtkUnsignedCharArray>(image->GetPointData(), name + "_state", count);
+  voxels.ghosts = vtkNexradFindValues<vtkUnsignedCharArray>(
+    image->GetPointData(), vtkDataSetAttributes::GhostArrayName(), count);
   return voxels;
 }
 
@@ -294,7 +291,8 @@ Bins CountCodes(vtkImageData* image, vtkUnsignedCharArray* array, const std::str
   const unsigned char* of = array->GetPointer(0);
   const std::vector<double> counts = CountBins(VoxelsOf(image, "", most), codeCount,
     [of](vtkIdType voxel) { return static_cast<std::size_t>(of[voxel]); });
-  const unsigned char* states = FindBytes(image->GetFieldData(), name + "_code_states", codeCount);
+  const unsigned char* states = vtkNexradFindValues<vtkUnsignedCharArray>(
+    image->GetFieldData(), name + "_code_states", codeCount);
   std::vector<Code> codes = CodesOf(values.data(), states, counts);
   codes.erase(
     std::remove_if(codes.begin(), codes.end(), [](const Code& code) { return code.voxels == 0.0; }),

@@ -5,6 +5,7 @@
 #include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradPipeline.h"
+#include "vtkNexradVoxels.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkErrorCode.h"
@@ -88,8 +89,8 @@ std::vector<float> ValuesOf(vtkDataArray* array)
 
 const unsigned char* FindBytes(vtkImageData* image, const std::string& name)
 {
-  auto* bytes = vtkUnsignedCharArray::SafeDownCast(image->GetPointData()->GetArray(name.c_str()));
-  return bytes && bytes->GetNumberOfComponents() == 1 ? bytes->GetPointer(0) : nullptr;
+  return vtkNexradFindValues<vtkUnsignedCharArray>(
+    image->GetPointData(), name, image->GetNumberOfPoints());
 }
 
 // Sets the values of points that have none to NaN.

@@ -5,17 +5,13 @@
 #include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradPipeline.h"
+#include "vtkNexradVoxels.h"
 
 #include "vtkErrorCode.h"
-#include "vtkFieldData.h"
-#include "vtkFloatArray.h"
-#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <string>
@@ -24,20 +20,6 @@ vtkStandardNewMacro(vtkNexradVerticalSection);
 
 namespace
 {
-
-constexpr vtkIdType CodeCount = 256;
-
-// The array of that name and type with at least so many values.
-template <class Array>
-Array* Require(vtkFieldData* data, const std::string& name, vtkIdType count)
-{
-  Array* array = Array::SafeDownCast(data->GetArray(name.c_str()));
-  if (!array || array->GetNumberOfComponents() != 1 || array->GetNumberOfTuples() < count)
-  {
-    throw nexrad::Error("the volume has no array " + name + " of the type that it should have");
-  }
-  return array;
-}
 
 nexrad::MomentName MomentOf(vtkImageData* volume)
 {
@@ -49,29 +31,6 @@ nexrad::MomentName MomentOf(vtkImageData* volume)
     throw nexrad::Error("the volume's active scalars are no radar moment: '" + name + "'");
   }
   return *moment;
-}
-
-// The voxels where they are: a copy of a whole volume takes longer than its section.
-nexrad::VoxelSource SourceOf(vtkImageData* volume, const std::string& name)
-{
-  const vtkIdType count = volume->GetNumberOfPoints();
-  vtkPointData* points = volume->GetPointData();
-  if (auto* codes = vtkUnsignedCharArray::SafeDownCast(points->GetArray(name.c_str())))
-  {
-    vtkFieldData* field = volume->GetFieldData();
-    const unsigned char* code = codes->GetPointer(0);
-    const float* values =
-      Require<vtkFloatArray>(field, name + "_code_values", CodeCount)->GetPointer(0);
-    const unsigned char* states =
-      Require<vtkUnsignedCharArray>(field, name + "_code_states", CodeCount)->GetPointer(0);
-    return {[=](std::size_t voxel) { return nexrad::ToVoxelState(states[code[voxel]]); },
-      [=](std::size_t voxel) { return values[code[voxel]]; }};
-  }
-  const float* values = Require<vtkFloatArray>(points, name, count)->GetPointer(0);
-  const unsigned char* states =
-    Require<vtkUnsignedCharArray>(points, name + "_state", count)->GetPointer(0);
-  return {[=](std::size_t voxel) { return nexrad::ToVoxelState(states[voxel]); },
-    [=](std::size_t voxel) { return values[voxel]; }};
 }
 
 void Fill(const nexrad::VerticalSection& section, const std::string& name, vtkImageData* image)
@@ -130,8 +89,11 @@ void vtkNexradVerticalSection::Cut(vtkImageData* volume, vtkImageData* section)
   sampling.line = {{this->A[0], this->A[1]}, {this->B[0], this->B[1]}};
   sampling.dimensions = {this->SamplesAlong, this->SamplesUpward};
   sampling.interpolation = nexrad::UsualInterpolation(moment);
+  const auto voxels = vtkNexradVoxels::Require(volume, name);
+  const nexrad::VoxelSource source{[voxels](std::size_t voxel) { return voxels.State(voxel); },
+    [voxels](std::size_t voxel) { return voxels.Value(voxel); }};
   const nexrad::VerticalSection cut =
-    nexrad::MakeVerticalSection(vtkNexradImageToGrid(volume), SourceOf(volume, name), sampling);
+    nexrad::MakeVerticalSection(vtkNexradImageToGrid(volume), source, sampling);
   if (!(cut.length > 0.0))
   {
     throw nexrad::Error("the line of the section has no length: A and B are one place");
