@@ -158,7 +158,8 @@ std::string vtkTextureSliceFeatures::GetDefines() const
       {"TABLE_2D", this->Table2D}, {"EXTREME_SAMPLE", this->ExtremeSample},
       {"GRADIENT", this->NeedsGradient()}, {"SECOND_ARRAY", this->SecondArray},
       {"SECOND_MASKED", this->SecondMasked}, {"BINARY_MASK", this->BinaryMask},
-      {"SELECTION", this->Selection}, {"SHADOWS", this->Shadows}, {"LABELS", this->Labels},
+      {"SELECTION", this->Selection}, {"SHADOWS", this->Shadows},
+      {"LIT_TURNS", this->Shadows && this->HasJoinedLight()}, {"LABELS", this->Labels},
       {"MIRRORED_HIGHLIGHTS", MirroredHighlights}, {"SKIPPING", this->Skipping},
       {"SLABS", this->Slabs ? SlabsOfPiece : 0}, {"PEEL", this->Peel}, {"PLACES", this->Places},
       {"ISO_VALUES", this->IsoValues}, {"CONTOURS", this->Contours}})

@@ -8,6 +8,7 @@
 #ifndef vtkNexradVoxels_h
 #define vtkNexradVoxels_h
 
+#include "nexrad/Codec/CodedVolume.h"
 #include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/System/Error.h"
 
@@ -38,7 +39,7 @@ public:
   /// Nothing where the image lacks one of the arrays, or has it of another type or length.
   static std::optional<vtkNexradVoxels> Find(vtkImageData* image, const std::string& moment)
   {
-    constexpr vtkIdType codeCount = 256;
+    constexpr auto codeCount = static_cast<vtkIdType>(nexrad::VoxelCodes::Count);
     vtkNexradVoxels voxels;
     vtkFieldData* data = image->GetPointData();
     const vtkIdType count = image->GetNumberOfPoints();

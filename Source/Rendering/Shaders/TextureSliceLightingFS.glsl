@@ -115,7 +115,6 @@ vec3 Light(vec3 color, vec3 gradient, vec4 surface)
 
 // What of the light arrives at a sample.
 #ifdef TEXTURE_SLICE_SHADOWS
-
 // Red: transmittance to the light, green: its mean over the sky (Formulas L2); joined, red: what both leave.
 uniform sampler3D lightTexture;
 // From the volume's texture coordinates to those of the light.
@@ -128,8 +127,8 @@ vec2 Weaken(vec2 transmittance)
   return mix(vec2(1.0), transmittance, lightStrength);
 }
 
-#if !defined TEXTURE_SLICE_LIGHTS && TEXTURE_SLICE_BLEND != TEXTURE_SLICE_ISOSURFACE
-#define TEXTURE_SLICE_LIT_TURNS 1
+#ifdef TEXTURE_SLICE_LIT_TURNS
+// What shadow and occlusion leave of a colour that has no shading.
 float FetchLight(vec3 at)
 {
   return min(1.0, textureLod(lightTexture, at * lightTextureScale, 0.0).r);

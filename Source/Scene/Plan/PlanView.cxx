@@ -24,10 +24,11 @@ ReadVoxels Read(const vtkNexradVoxels& voxels)
 {
   return [voxels](std::size_t first, std::size_t count, float* values, VoxelState* states)
   {
+    const vtkNexradVoxels copy = voxels; // which the bytes that are written cannot be
     for (std::size_t i = 0; i < count; ++i)
     {
-      values[i] = voxels.Value(first + i);
-      states[i] = voxels.State(first + i);
+      values[i] = copy.Value(first + i);
+      states[i] = copy.State(first + i);
     }
   };
 }
