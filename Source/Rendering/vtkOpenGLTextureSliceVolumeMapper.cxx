@@ -132,18 +132,14 @@ int vtkOpenGLTextureSliceVolumeMapper::IsRenderSupported(
 
 void vtkOpenGLTextureSliceVolumeMapper::GetReductionRatio(double ratio[3])
 {
-  ratio[0] = ratio[1] = ratio[2] = 1.0;
   std::vector<int> size = FindDimensions(this->GetTransformedInput(0));
+  size.resize(3, 1);
   GLint limit = 0;
   glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &limit);
-  if (size.empty() || limit <= 0)
-  {
-    return;
-  }
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    ratio[axis] = std::min(
-      1.0, static_cast<double>(limit) / std::max(1, size[axis] - (this->CellFlag == 1 ? 1 : 0)));
+    const int voxels = std::max(1, size[axis] - (this->CellFlag == 1 ? 1 : 0));
+    ratio[axis] = limit > 0 ? std::min(1.0, static_cast<double>(limit) / voxels) : 1.0;
   }
 }
 

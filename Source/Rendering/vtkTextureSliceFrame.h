@@ -20,8 +20,7 @@ class vtkVolume;
 class vtkVolumeMapper;
 
 /// What decides where the slices lie. Box coordinates run from 0 to 1 along each axis of the
-/// volume; data lengths are those before its actor's matrix, as VTK's ray caster measures
-/// distances.
+/// volume; data lengths, which VTK's ray caster measures too, are those before its actor's matrix.
 struct vtkTextureSliceView
 {
   /// Box to camera coordinates (x right, y up, the camera looks along -z), row by row.
@@ -70,8 +69,7 @@ struct VTKNEXRADRENDERING_EXPORT vtkTextureSlicePlanes
   double DepthStep = 0.0;
   /// The distance of two slices along the axis of the view as a data length.
   double DataStep = 0.0;
-  /// Where a pixel's ray meets the nearest slice, and its way from one slice to the next, in box
-  /// coordinates.
+  /// Where a pixel's ray meets the nearest slice, and its way to the next one, in box coordinates.
   vtkTextureSlicePixelMap Places;
   vtkTextureSlicePixelMap Steps;
   /// a, b, c, d that give the place on a ray at a depth of the window (0 to 1). With m the double

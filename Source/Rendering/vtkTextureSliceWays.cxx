@@ -28,9 +28,8 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
-#include <numeric>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -47,26 +46,12 @@ GLint GetInteger(GLenum name)
   return value;
 }
 
-bool HasExtension(const char* name)
-{
-  const GLint count = GetInteger(GL_NUM_EXTENSIONS);
-  for (GLint i = 0; i < count; ++i)
-  {
-    const GLubyte* extension = glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
-    if (std::strcmp(reinterpret_cast<const char*>(extension), name) == 0)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 /// Whether the context that is current has compute shaders, which OpenGL 4.3 has as well, and work
 /// groups that are large enough. OpenGL 4.2 stores into pictures of 16 bits.
 bool HasCompute()
 {
   return 10 * GetInteger(GL_MAJOR_VERSION) + GetInteger(GL_MINOR_VERSION) >= 42 &&
-         HasExtension("GL_ARB_compute_shader") &&
+         VTK_TEXTURE_SLICE_HAS_COMPUTE &&
          GetInteger(GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS) >= GroupSize * GroupSize;
 }
 
@@ -129,8 +114,7 @@ std::string GetRendererName()
   return reinterpret_cast<const char*>(glGetString(GL_RENDERER));
 }
 
-/// @param main the shader that has a place for the parts.
-/// @param defines see vtkTextureSliceFeatures::GetDefines.
+/// @param main has a place for the parts, before which the defines of the features come.
 std::string MakeShader(std::string main, const std::string& defines)
 {
   std::string parts = defines;
@@ -144,65 +128,82 @@ std::string MakeShader(std::string main, const std::string& defines)
   return main;
 }
 
-/// The smallest rectangle of a picture of that size that the drawn part of the box is in; all of
-/// the picture where a corner is not in front of the eye.
-vtkTextureSlicePixels FindPixels(const vtkTextureSliceParts& parts, const std::array<int, 2>& size)
+/// Columns and rows of places in a picture.
+using Corners = std::vector<std::array<double, 2>>;
+
+/// Those of the drawn part of the box, or of the picture where one is not in front of the eye.
+Corners FindCorners(const vtkTextureSliceParts& parts, vtkTextureObject* picture)
 {
+  const double width = picture->GetWidth();
+  const double height = picture->GetHeight();
   const std::array<double, 6>& seen = parts.Seen;
-  std::array<double, 4> reached{1e9, 1e9, -1e9, -1e9};
+  Corners corners;
   for (std::size_t corner = 0; corner < 8; ++corner)
   {
-    const std::array<double, 4> place{
+    double place[4] = {
       seen[corner & 1], seen[2 + ((corner >> 1) & 1)], seen[4 + ((corner >> 2) & 1)], 1.0};
-    const auto clip = [&](std::size_t row)
+    vtkMatrix4x4::MultiplyPoint(parts.Frame.View.BoxToClip.data(), place, place);
+    if (!(place[3] > 0.0))
     {
-      return std::inner_product(
-        place.begin(), place.end(), parts.Frame.View.BoxToClip.begin() + 4 * row, 0.0);
-    };
-    if (!(clip(3) > 0.0))
-    {
-      return {0, 0, size[0], size[1]};
+      return {{0.0, 0.0}, {width, 0.0}, {0.0, height}, {width, height}};
     }
-    for (std::size_t axis = 0; axis < 2; ++axis)
-    {
-      const double at = 0.5 * (clip(axis) / clip(3) + 1.0) * size[axis];
-      reached[axis] = std::min(reached[axis], at);
-      reached[axis + 2] = std::max(reached[axis + 2], at);
-    }
+    corners.push_back(
+      {0.5 * (place[0] / place[3] + 1.0) * width, 0.5 * (place[1] / place[3] + 1.0) * height});
   }
-  vtkTextureSlicePixels pixels{};
-  for (std::size_t axis = 0; axis < 2; ++axis)
+  return corners;
+}
+
+/// The smallest rectangle, inside of another one, with all pixels between those corners.
+vtkTextureSlicePixels FindPixels(const Corners& corners, const vtkTextureSlicePixels& within)
+{
+  const auto [left, low, right, high] = within;
+  vtkTextureSlicePixels pixels{right, high, left, low};
+  for (const auto& from : corners)
   {
-    const double most = size[axis];
-    pixels[axis] = static_cast<int>(std::clamp(std::floor(reached[axis]), 0.0, most));
-    pixels[axis + 2] = static_cast<int>(std::clamp(std::ceil(reached[axis + 2]), 0.0, most));
+    for (const auto& to : corners)
+    {
+      // Of the way from one corner to another, what the rows of the rectangle see.
+      for (const double row : {from[1], double(low), double(high)})
+      {
+        if ((row - from[1]) * (to[1] - row) >= 0.0 && row >= low && row <= high)
+        {
+          const double part = row == from[1] ? 0.0 : (row - from[1]) / (to[1] - from[1]);
+          const double column =
+            std::clamp(from[0] + part * (to[0] - from[0]), double(left), double(right));
+          pixels = {std::min(pixels[0], static_cast<int>(std::floor(column))),
+            std::min(pixels[1], static_cast<int>(std::floor(row))),
+            std::max(pixels[2], static_cast<int>(std::ceil(column))),
+            std::max(pixels[3], static_cast<int>(std::ceil(row)))};
+        }
+      }
+    }
   }
   return pixels;
 }
 
-/// Stores into those pixels of a picture of 16 bits, which may be read afterwards.
-void Dispatch(
-  vtkShaderProgram* program, vtkTextureObject* picture, const vtkTextureSlicePixels& pixels)
+/// Stores into those pixels of a picture of 16 bits, which may be read afterwards. Band by band,
+/// what lies beside the corners is left out.
+void Dispatch(vtkShaderProgram* program, vtkTextureObject* picture,
+  const vtkTextureSlicePixels& pixels, const Corners& corners)
 {
+  constexpr int rowsOfBand = 64;
   constexpr GLuint imageUnit = 0;
   const auto countGroups = [](int from, int to)
-  { return static_cast<GLuint>((to - from + GroupSize - 1) / GroupSize); };
+  { return static_cast<GLuint>(std::max(0, to - from + GroupSize - 1) / GroupSize); };
   program->SetUniformi("pictureImage", imageUnit);
-  program->SetUniform2i("firstPixel", pixels.data());
-  program->SetUniform2i("endOfPixels", pixels.data() + 2);
   glBindImageTexture(imageUnit, picture->GetHandle(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16);
-  glDispatchCompute(countGroups(pixels[0], pixels[2]), countGroups(pixels[1], pixels[3]), 1);
+  for (int row = pixels[1]; row < pixels[3]; row += rowsOfBand)
+  {
+    const auto band =
+      FindPixels(corners, {pixels[0], row, pixels[2], std::min(row + rowsOfBand, pixels[3])});
+    program->SetUniform2i("firstPixel", band.data());
+    program->SetUniform2i("endOfPixels", band.data() + 2);
+    glDispatchCompute(countGroups(band[1], band[3]), countGroups(band[0], band[2]), 1);
+  }
   // The picture is read as a texture, and cleared or stored into again for the next one.
   glMemoryBarrier(
     GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
   glBindImageTexture(imageUnit, 0, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16);
-}
-
-vtkSmartPointer<vtkShaderProgram> MakeComputeProgram(const std::string& defines)
-{
-  auto program = vtkSmartPointer<ComputeProgram>::New();
-  program->SetSource(MakeShader(TextureSliceCS, defines));
-  return program;
 }
 
 } // namespace
@@ -227,17 +228,13 @@ void vtkTextureSliceBox::Draw(
   const vtkTextureSliceParts& parts, vtkShaderProgram* program, int times)
 {
   const std::array<double, 16>& boxToClip = parts.Frame.View.BoxToClip;
-  std::array<float, 3> low{};
-  std::array<float, 3> high{};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    low[axis] = static_cast<float>(parts.Seen[2 * axis]);
-    high[axis] = static_cast<float>(parts.Seen[2 * axis + 1]);
-  }
+  const std::array<double, 6>& seen = parts.Seen;
+  const double low[3] = {seen[0], seen[2], seen[4]};
+  const double high[3] = {seen[1], seen[3], seen[5]};
   auto columns = vtkTextureSliceFrame::ToColumns(boxToClip);
   program->SetUniformMatrix4x4("boxToClip", columns.data());
-  program->SetUniform3f("seenLow", low.data());
-  program->SetUniform3f("seenHigh", high.data());
+  program->SetUniform3f("seenLow", low);
+  program->SetUniform3f("seenHigh", high);
   vtkOpenGLState* state = parts.Window->GetState();
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglEnable(GL_CULL_FACE);
@@ -337,7 +334,9 @@ bool vtkTextureSliceWays::Ready(Way way, const vtkTextureSliceParts& parts, cons
     {
       if (way == Mapper::COMPUTE)
       {
-        return MakeComputeProgram(defines);
+        auto program = vtkSmartPointer<ComputeProgram>::New();
+        program->SetSource(MakeShader(TextureSliceCS, defines));
+        return program;
       }
       return parts.Window->GetShaderCache()->ReadyShaderProgram(
         TextureSliceBoxVS, MakeShader(TextureSliceFS, defines).c_str(), "");
@@ -388,7 +387,8 @@ void vtkTextureSliceWays::DrawPixels(
   parts.DrawWith(this->Program,
     [&]
     {
-      way == Mapper::COMPUTE ? Dispatch(this->Program, parts.Target.GetPicture(), pixels)
+      vtkTextureObject* picture = parts.Target.GetPicture();
+      way == Mapper::COMPUTE ? Dispatch(this->Program, picture, pixels, FindCorners(parts, picture))
                              : this->Box.Draw(parts, this->Program,
                                  way == Mapper::POLYGONS ? parts.Planes.NumberOfSlices : 1);
     });
@@ -405,8 +405,8 @@ void vtkTextureSliceWays::Draw(vtkTextureSliceParts& parts)
     state->vtkglBlendFuncSeparate(GL_ONE_MINUS_DST_ALPHA, GL_ONE, GL_ONE_MINUS_DST_ALPHA, GL_ONE);
   }
   vtkTextureObject* picture = parts.Target.GetPicture();
-  const auto pixels = FindPixels(
-    parts, {static_cast<int>(picture->GetWidth()), static_cast<int>(picture->GetHeight())});
+  const auto pixels = FindPixels(FindCorners(parts, picture),
+    {0, 0, static_cast<int>(picture->GetWidth()), static_cast<int>(picture->GetHeight())});
   if (std::exchange(this->IsTrialDue, false))
   {
     this->RunTrial(parts, pixels);

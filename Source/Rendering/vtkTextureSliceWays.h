@@ -42,9 +42,8 @@ using vtkTextureSlicePixels = std::array<int, 4>;
 
 /// For each pixel, one fragment or one invocation of a compute shader goes along the pixel's ray.
 /// Polygons are the outline of the volume's box once a plane, the nearest plane first, each blended
-/// behind those before: a fragment is the one sample of its ray on that plane. They draw composite
-/// blending of samples alone, and of a ray that is shorter than two slices the samples on planes
-/// alone. The other ways are compared with them, and they are left where no other shader compiles.
+/// behind those before. They draw composite blending of samples on planes alone, to compare the
+/// other ways with, and where no other shader compiles.
 class vtkTextureSliceWays
 {
 public:

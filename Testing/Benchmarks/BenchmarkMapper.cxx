@@ -4,9 +4,9 @@
 // everywhere, 12 views: of the whole frame, of the processor, and of the card for the volume alone.
 // Then the same storms with and without shadows and occlusion, and how long a new light volume
 // takes; and with each blend mode. Rays have as many samples along the axis of the view as there
-// are slices. Usage: BenchmarkMapper [--size WIDTHxHEIGHT] [--slices N] [light|modes] [points along
-// x ...] Default: 796x532 pixels, 256 slices, 128 256 512, all three parts. With --size, VTK's
-// fixed-point ray caster, which works on the processor, is left out.
+// are slices. Usage: BenchmarkMapper [--size WIDTHxHEIGHT] [--slices N] [frames|light|modes]
+// [points along x ...] Default: 796x532 pixels, 256 slices, 128 256 512, all three parts. With
+// --size, VTK's fixed-point ray caster, which works on the processor, is left out.
 #include "FrameTimes.h"
 #include "RenderingTest.h"
 #include "Scenes.h"
@@ -492,7 +492,7 @@ bool Parse(const std::vector<std::string>& words, Arguments& arguments)
     {
       Slices = std::atoi(words[++i].c_str());
     }
-    else if (words[i] == "light" || words[i] == "modes")
+    else if (words[i] == "frames" || words[i] == "light" || words[i] == "modes")
     {
       arguments.Part = words[i];
     }
@@ -513,8 +513,9 @@ int main(int argc, char* argv[])
   Arguments arguments;
   if (!Parse({argv + 1, argv + argc}, arguments))
   {
-    std::fprintf(stderr, "usage: BenchmarkMapper [--size WIDTHxHEIGHT] [--slices N] [light|modes] "
-                         "[points along x, 4 to 2048 ...]\n");
+    std::fprintf(stderr,
+      "usage: BenchmarkMapper [--size WIDTHxHEIGHT] [--slices N] [frames|light|modes] "
+      "[points along x, 4 to 2048 ...]\n");
     return 2;
   }
   if (arguments.Sizes.empty())
@@ -523,15 +524,15 @@ int main(int argc, char* argv[])
   }
   PrintRenderer(Scene(16, 16, 0, false).GetWindow());
   std::printf("%d x %d pixels, %d slices, median of %d views\n", Width, Height, Slices, Views);
-  if (arguments.Part.empty())
+  if (arguments.Part.empty() || arguments.Part == "frames")
   {
     MeasureSizes(arguments.Sizes);
   }
-  if (arguments.Part != "modes")
+  if (arguments.Part.empty() || arguments.Part == "light")
   {
     MeasureLight(arguments.Sizes);
   }
-  if (arguments.Part != "light")
+  if (arguments.Part.empty() || arguments.Part == "modes")
   {
     MeasureModes(arguments.Sizes);
   }

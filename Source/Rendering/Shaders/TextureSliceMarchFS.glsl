@@ -128,7 +128,8 @@ vec4 March()
       frontEnd = FetchEnd(PlaceAt(at));
     }
 #endif
-    float next = min((floor(at / piece) + 1.0) * piece, raySpan.y);
+    // The first piece is short: where it hides all that is behind it, its samples lie beside each other.
+    float next = min(at == raySpan.x ? at + 0.5 : (floor(at / piece) + 1.0) * piece, raySpan.y);
     GatherPiece(at, next, frontEnd);
     if (picture.a > opaque)
     {
@@ -164,10 +165,10 @@ vec4 March()
 {
   int i = int(ceil(raySpan.x));
   int last = int(floor(raySpan.y));
+  int first = i;
   float unitsOfSlice = length(sampleStep);
 #ifdef TEXTURE_SLICE_SKIPPING
   StartSkipping();
-  int first = i;
   int known = i; // before it the ray is in a brick that was looked at
 #endif
   while (i <= last)
@@ -184,12 +185,13 @@ vec4 March()
       break;
     }
 #endif
-    int end = min(i + samplesInTurn, last + 1);
+    // Where the first sample hides all that is behind it, the others of its turn lie beside it.
+    int end = min(i == first ? i + 1 : i + samplesInTurn, last + 1);
     for (int k = 0; k < samplesInTurn; ++k)
     {
       if (i + k < end)
       {
-        float at = float(i + k);
+        float at = float(min(i + k, end - 1));
         sampleUnits = CountSlices(at) * unitsOfSlice;
         GatherSample(at);
       }

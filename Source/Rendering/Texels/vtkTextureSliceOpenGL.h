@@ -6,8 +6,10 @@
 
 #if __has_include("vtk_glad.h")
 #include "vtk_glad.h" // VTK 9.4 and later
+#define VTK_TEXTURE_SLICE_HAS_COMPUTE GLAD_GL_ARB_compute_shader
 #else
 #include "vtk_glew.h"
+#define VTK_TEXTURE_SLICE_HAS_COMPUTE GLEW_ARB_compute_shader
 #endif
 
 #include "vtkTextureObject.h"
