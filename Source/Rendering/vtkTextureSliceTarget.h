@@ -49,7 +49,7 @@ public:
   std::string Begin(const vtkTextureSliceParts& parts);
   /// The depth of what is drawn already, of the viewport's size.
   vtkTextureObject* GetGeometryDepth() { return this->Depth; }
-  vtkTextureObject* GetPicture() { return this->Color; }
+  vtkTextureObject* GetPicture() const { return this->Color; }
   /// Directs drawing back to where it went before Begin.
   void End();
 

@@ -46,8 +46,8 @@ GLint GetInteger(GLenum name)
   return value;
 }
 
-/// Whether the context that is current has compute shaders, which OpenGL 4.3 has as well, and work
-/// groups that are large enough. OpenGL 4.2 stores into pictures of 16 bits.
+/// Whether VTK's loader found compute shaders, which OpenGL 4.3 has as well, and the context that
+/// is current work groups that are large enough. OpenGL 4.2 stores into pictures of 16 bits.
 bool HasCompute()
 {
   return 10 * GetInteger(GL_MAJOR_VERSION) + GetInteger(GL_MINOR_VERSION) >= 42 &&
@@ -128,14 +128,13 @@ std::string MakeShader(std::string main, const std::string& defines)
   return main;
 }
 
-/// Columns and rows of places in a picture.
-using Corners = std::vector<std::array<double, 2>>;
+using Corners = std::vector<std::array<double, 2>>; ///< columns and rows in a picture
 
 /// Those of the drawn part of the box, or of the picture where one is not in front of the eye.
-Corners FindCorners(const vtkTextureSliceParts& parts, vtkTextureObject* picture)
+Corners FindCorners(const vtkTextureSliceParts& parts)
 {
-  const double width = picture->GetWidth();
-  const double height = picture->GetHeight();
+  const double width = parts.Target.GetPicture()->GetWidth();
+  const double height = parts.Target.GetPicture()->GetHeight();
   const std::array<double, 6>& seen = parts.Seen;
   Corners corners;
   for (std::size_t corner = 0; corner < 8; ++corner)
@@ -153,7 +152,7 @@ Corners FindCorners(const vtkTextureSliceParts& parts, vtkTextureObject* picture
   return corners;
 }
 
-/// The smallest rectangle, inside of another one, with all pixels between those corners.
+/// The smallest rectangle inside of another one with all its pixels between those corners, if any.
 vtkTextureSlicePixels FindPixels(const Corners& corners, const vtkTextureSlicePixels& within)
 {
   const auto [left, low, right, high] = within;
@@ -178,20 +177,22 @@ vtkTextureSlicePixels FindPixels(const Corners& corners, const vtkTextureSlicePi
       }
     }
   }
-  return pixels;
+  return {pixels[0], pixels[1], std::max(pixels[0], pixels[2]), std::max(pixels[1], pixels[3])};
 }
 
-/// Stores into those pixels of a picture of 16 bits, which may be read afterwards. Band by band,
-/// what lies beside the corners is left out.
-void Dispatch(vtkShaderProgram* program, vtkTextureObject* picture,
-  const vtkTextureSlicePixels& pixels, const Corners& corners)
+/// Stores into those pixels of the picture of 16 bits, which may be read afterwards. Band by band,
+/// what lies beside the box is left out.
+void Dispatch(
+  const vtkTextureSliceParts& parts, vtkShaderProgram* program, const vtkTextureSlicePixels& pixels)
 {
   constexpr int rowsOfBand = 64;
   constexpr GLuint imageUnit = 0;
+  const GLuint picture = parts.Target.GetPicture()->GetHandle();
+  const Corners corners = FindCorners(parts);
   const auto countGroups = [](int from, int to)
-  { return static_cast<GLuint>(std::max(0, to - from + GroupSize - 1) / GroupSize); };
+  { return static_cast<GLuint>((to - from + GroupSize - 1) / GroupSize); };
   program->SetUniformi("pictureImage", imageUnit);
-  glBindImageTexture(imageUnit, picture->GetHandle(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16);
+  glBindImageTexture(imageUnit, picture, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16);
   for (int row = pixels[1]; row < pixels[3]; row += rowsOfBand)
   {
     const auto band =
@@ -387,8 +388,7 @@ void vtkTextureSliceWays::DrawPixels(
   parts.DrawWith(this->Program,
     [&]
     {
-      vtkTextureObject* picture = parts.Target.GetPicture();
-      way == Mapper::COMPUTE ? Dispatch(this->Program, picture, pixels, FindCorners(parts, picture))
+      way == Mapper::COMPUTE ? Dispatch(parts, this->Program, pixels)
                              : this->Box.Draw(parts, this->Program,
                                  way == Mapper::POLYGONS ? parts.Planes.NumberOfSlices : 1);
     });
@@ -405,13 +405,13 @@ void vtkTextureSliceWays::Draw(vtkTextureSliceParts& parts)
     state->vtkglBlendFuncSeparate(GL_ONE_MINUS_DST_ALPHA, GL_ONE, GL_ONE_MINUS_DST_ALPHA, GL_ONE);
   }
   vtkTextureObject* picture = parts.Target.GetPicture();
-  const auto pixels = FindPixels(FindCorners(parts, picture),
-    {0, 0, static_cast<int>(picture->GetWidth()), static_cast<int>(picture->GetHeight())});
+  const vtkTextureSlicePixels all{
+    0, 0, static_cast<int>(picture->GetWidth()), static_cast<int>(picture->GetHeight())};
   if (std::exchange(this->IsTrialDue, false))
   {
-    this->RunTrial(parts, pixels);
+    this->RunTrial(parts, FindPixels(FindCorners(parts), all));
   }
-  this->DrawPixels(this->Drawn, parts, pixels);
+  this->DrawPixels(this->Drawn, parts, all);
 }
 
 void vtkTextureSliceWays::ReleaseGraphicsResources(vtkOpenGLRenderWindow* window)

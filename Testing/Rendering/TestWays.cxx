@@ -6,6 +6,7 @@
 #include "vtkCamera.h"
 #include "vtkContourValues.h"
 #include "vtkImageData.h"
+#include "vtkNew.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkProperty.h"
@@ -21,6 +22,7 @@
 #include <iostream>
 #include <optional>
 #include <string>
+#include <thread>
 
 namespace
 {
@@ -255,4 +257,34 @@ TEST_F(Ways, TheFasterOneIsChosenAfterTheSecondFrame)
   EXPECT_TRUE(chosen == Mapper::FRAGMENTS || chosen == Mapper::COMPUTE) << chosen;
   this->DrawIn(Mapper::AUTOMATIC);
   EXPECT_EQ(this->Slices->GetDrawnWay(), chosen);
+}
+
+// What is left of the volume lies below the picture.
+TEST_F(Ways, ATrialBesideThePictureIsNoError)
+{
+  std::thread another( // which had no trial yet
+    []
+    {
+      Scene scene(64, 64);
+      vtkNew<Mapper> mapper;
+      mapper->SetInputData(MakeUniformCube(17, 1.0f));
+      mapper->SetWay(Mapper::AUTOMATIC);
+      SetUniformFunctions(scene.GetProperty(), 0.5);
+      const double* bounds = mapper->GetBounds();
+      mapper->CroppingOn();
+      mapper->SetCroppingRegionFlagsToSubVolume();
+      mapper->SetCroppingRegionPlanes(
+        bounds[0], bounds[1], bounds[2], bounds[2] + 1.0, bounds[4], bounds[5]);
+      scene.GetRenderer()->ResetCamera(bounds);
+      vtkCamera* camera = scene.GetRenderer()->GetActiveCamera();
+      camera->Zoom(6.0);
+      scene.GetRenderer()->ResetCameraClippingRange(bounds);
+      for (int frame = 0; frame < 3; ++frame)
+      {
+        scene.Draw(mapper);
+        EXPECT_NE(mapper->GetDrawnWay(), Mapper::AUTOMATIC);
+      }
+      EXPECT_EQ(scene.GetMessages().Take(), "");
+    });
+  another.join();
 }
