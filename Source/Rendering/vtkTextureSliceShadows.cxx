@@ -156,7 +156,7 @@ vtkTextureSliceLightCells::Source MakeCells(const Source& source, double density
 
 } // namespace
 
-void vtkTextureSliceShadows::Update(const Source& source, bool interactive)
+void vtkTextureSliceShadows::Update(Source& source, bool interactive)
 {
   const vtkTextureSliceFeatures features = source.Request.GetFeatures();
   vtkOpenGLTextureSliceVolumeMapper* mapper = source.Request.Mapper;
@@ -173,12 +173,18 @@ void vtkTextureSliceShadows::Update(const Source& source, bool interactive)
   // The shader weakens by surfaces themselves, too: not without a light, or a sky.
   this->Strength = {key.From.Shadow ? static_cast<float>(mapper->GetShadowStrength()) : 0.0f,
     key.From.Occlusion ? static_cast<float>(mapper->GetOcclusionStrength()) : 0.0f};
+  const bool otherCells = key.Times != this->Last.Times || !key.Cells.IsLike(this->Last.Cells);
   const bool finer = this->Coarse && !interactive;
-  if (key.Times != this->Last.Times || !key.Cells.IsLike(this->Last.Cells) ||
-      !(key.From == this->Last.From) || finer)
+  if (otherCells || finer || !(key.From == this->Last.From))
   {
-    this->Volume.Build(key.Cells, key.From, interactive ? MostCellsOfInteraction : MostCells);
-    this->Coarse = interactive;
+    if (otherCells || this->Coarse != interactive)
+    {
+      this->Cells.emplace(key.Cells, interactive ? MostCellsOfInteraction : MostCells);
+      this->Coarse = interactive;
+    }
+    this->Volume.Build(*this->Cells, key.From,
+      [&source](const auto& cells, const auto& courses, std::vector<float>& sums)
+      { return source.Ways.SweepLight(source, cells, courses, sums); });
     this->Last = std::move(key);
     this->MakeImage(source.Image, source.Frame.CellData);
     this->Texture->ReleaseGraphicsResources(source.Window);

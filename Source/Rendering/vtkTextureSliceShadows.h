@@ -9,6 +9,7 @@
 #include "vtkType.h"
 
 #include <array>
+#include <optional>
 #include <tuple>
 
 class vtkImageData;
@@ -24,7 +25,7 @@ public:
   /// @param source all of it must be up to date: the mapper's settings, volume, functions, mask and
   /// cuts.
   /// @param interactive whether a change asks for a coarse volume.
-  void Update(const vtkTextureSliceParts& source, bool interactive);
+  void Update(vtkTextureSliceParts& source, bool interactive);
 
   /// Whether the last Update was asked for shadow or occlusion, and the blend mode has them.
   bool IsUsed() const { return this->Used; }
@@ -52,6 +53,7 @@ private:
   bool Used = false;
   bool Coarse = false;
   Key Last;
+  std::optional<vtkTextureSliceLightCells> Cells; ///< kept for other lights
   vtkTextureSliceLightVolume Volume;
   std::array<float, 2> Strength{};
   float Exposure = 1.0f;

@@ -3,6 +3,7 @@
 
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
@@ -16,6 +17,7 @@
 #include "TextureSliceCS.h"
 #include "TextureSliceColoringFS.h"
 #include "TextureSliceFS.h"
+#include "TextureSliceLightCS.h"
 #include "TextureSliceLightingFS.h"
 #include "TextureSliceMarchFS.h"
 #include "TextureSliceRayFS.h"
@@ -128,6 +130,29 @@ std::string MakeShader(std::string main, const std::string& defines)
   return main;
 }
 
+vtkSmartPointer<vtkShaderProgram> MakeCompute(std::string source)
+{
+  auto program = vtkSmartPointer<ComputeProgram>::New();
+  program->SetSource(std::move(source));
+  return program;
+}
+
+/// Groups of a row, or of a column.
+GLuint CountGroups(int from, int to)
+{
+  return static_cast<GLuint>((to - from + GroupSize - 1) / GroupSize);
+}
+
+/// What a compute shader knows by that number, for as long as this lives.
+template <typename Values>
+vtkSmartPointer<vtkOpenGLBufferObject> MakeBuffer(GLuint number, const Values& values)
+{
+  auto buffer = vtkSmartPointer<vtkOpenGLBufferObject>::New();
+  buffer->Upload(values, vtkOpenGLBufferObject::ArrayBuffer);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, number, static_cast<GLuint>(buffer->GetHandle()));
+  return buffer;
+}
+
 using Corners = std::vector<std::array<double, 2>>; ///< columns and rows in a picture
 
 /// Those of the drawn part of the box, or of the picture where one is not in front of the eye.
@@ -189,8 +214,6 @@ void Dispatch(
   constexpr GLuint imageUnit = 0;
   const GLuint picture = parts.Target.GetPicture()->GetHandle();
   const Corners corners = FindCorners(parts);
-  const auto countGroups = [](int from, int to)
-  { return static_cast<GLuint>((to - from + GroupSize - 1) / GroupSize); };
   program->SetUniformi("pictureImage", imageUnit);
   glBindImageTexture(imageUnit, picture, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16);
   for (int row = pixels[1]; row < pixels[3]; row += rowsOfBand)
@@ -199,7 +222,7 @@ void Dispatch(
       FindPixels(corners, {pixels[0], row, pixels[2], std::min(row + rowsOfBand, pixels[3])});
     program->SetUniform2i("firstPixel", band.data());
     program->SetUniform2i("endOfPixels", band.data() + 2);
-    glDispatchCompute(countGroups(band[1], band[3]), countGroups(band[0], band[2]), 1);
+    glDispatchCompute(CountGroups(band[1], band[3]), CountGroups(band[0], band[2]), 1);
   }
   // The picture is read as a texture, and cleared or stored into again for the next one.
   glMemoryBarrier(
@@ -335,9 +358,7 @@ bool vtkTextureSliceWays::Ready(Way way, const vtkTextureSliceParts& parts, cons
     {
       if (way == Mapper::COMPUTE)
       {
-        auto program = vtkSmartPointer<ComputeProgram>::New();
-        program->SetSource(MakeShader(TextureSliceCS, defines));
-        return program;
+        return MakeCompute(MakeShader(TextureSliceCS, defines));
       }
       return parts.Window->GetShaderCache()->ReadyShaderProgram(
         TextureSliceBoxVS, MakeShader(TextureSliceFS, defines).c_str(), "");
@@ -412,6 +433,47 @@ void vtkTextureSliceWays::Draw(vtkTextureSliceParts& parts)
     this->RunTrial(parts, FindPixels(FindCorners(parts), all));
   }
   this->DrawPixels(this->Drawn, parts, all);
+}
+
+bool vtkTextureSliceWays::SweepLight(const vtkTextureSliceParts& parts,
+  const vtkTextureSliceLightCells& cells, const vtkTextureSliceLightVolume::Courses& courses,
+  std::vector<float>& sums)
+{
+  const Way way = this->FindAsked(static_cast<Way>(parts.Request.Mapper->GetWay()));
+  if ((way == Mapper::AUTOMATIC ? this->ChooseByTrial() : way) != Mapper::COMPUTE || !HasCompute())
+  {
+    return false;
+  }
+  vtkShaderProgram* program =
+    this->Box.Ready(parts.Window, "light", [] { return MakeCompute(TextureSliceLightCS); });
+  if (program == nullptr)
+  {
+    return false;
+  }
+  std::vector<vtkTextureSliceLightCells::Surface> surfaces = cells.GetSurfaces();
+  program->SetUniformi("countOfSurfaces", static_cast<int>(surfaces.size()));
+  surfaces.emplace_back(); // no buffer is empty
+  const auto values = MakeBuffer(0, cells.GetValues());
+  const auto rays = MakeBuffer(1, std::vector<float>(cells.GetGrid().CountCells(1)));
+  const auto arriving = MakeBuffer(2, sums);
+  const auto ways = MakeBuffer(3, courses);
+  const auto crossed = MakeBuffer(4, surfaces);
+  for (std::size_t i = 0; i < courses.size(); ++i)
+  {
+    program->SetUniformi("number", static_cast<int>(i));
+    for (const bool gathering : {false, true})
+    {
+      const std::array<int, 2>& count = gathering ? courses[i].Cells : courses[i].Rays;
+      program->SetUniformi("gathering", gathering);
+      glDispatchCompute(CountGroups(0, count[0]), CountGroups(0, count[1]), 1);
+      glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    }
+  }
+  arriving->Bind();
+  glGetBufferSubData(
+    GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(sums.size() * sizeof(float)), sums.data());
+  arriving->Release();
+  return true;
 }
 
 void vtkTextureSliceWays::ReleaseGraphicsResources(vtkOpenGLRenderWindow* window)

@@ -7,11 +7,13 @@
 #include "vtkOpenGLTextureSliceVolumeMapper.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkSmartPointer.h"
+#include "vtkTextureSliceLightVolume.h"
 
 #include <array>
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
@@ -59,6 +61,10 @@ public:
   const std::string& GetFallback() const { return this->Fallback; }
   /// After Choose: draws the picture, which is bound.
   void Draw(vtkTextureSliceParts& parts);
+
+  /// The vtkTextureSliceLightVolume::Sweep of the card, where compute draws the volume.
+  bool SweepLight(const vtkTextureSliceParts& parts, const vtkTextureSliceLightCells& cells,
+    const vtkTextureSliceLightVolume::Courses& courses, std::vector<float>& sums);
 
   void ReleaseGraphicsResources(vtkOpenGLRenderWindow* window);
 

@@ -254,10 +254,11 @@ vtkTextureSliceLightGrid vtkTextureSliceLightGrid::Choose(const std::array<int, 
   return grid;
 }
 
-std::size_t vtkTextureSliceLightGrid::CountCells() const
+std::size_t vtkTextureSliceLightGrid::CountCells(int more) const
 {
-  return static_cast<std::size_t>(this->Size[0]) * static_cast<std::size_t>(this->Size[1]) *
-         static_cast<std::size_t>(this->Size[2]);
+  return static_cast<std::size_t>(this->Size[0] + more) *
+         static_cast<std::size_t>(this->Size[1] + more) *
+         static_cast<std::size_t>(this->Size[2] + more);
 }
 
 std::array<int, 2> vtkTextureSliceLightGrid::GetRows(int cell, std::size_t axis) const

@@ -29,7 +29,8 @@ struct VTKNEXRADRENDERING_EXPORT vtkTextureSliceLightGrid
   static vtkTextureSliceLightGrid Choose(const std::array<int, 3>& voxels, bool cellData,
     const std::array<double, 3>& voxelEdge, std::size_t mostCells);
 
-  std::size_t CountCells() const;
+  /// @param more than there are along each axis
+  std::size_t CountCells(int more = 0) const;
   /// The rows of a cell that are looked at, and their end: of large cells, the middle ones.
   std::array<int, 2> GetRows(int cell, std::size_t axis) const;
   /// Where the centre of a cell lies in the volume, 0 to 1 along an axis.

@@ -98,7 +98,7 @@ protected:
   void Build(const Lights& lights, std::size_t voxelsOfACell = 8)
   {
     const auto voxels = static_cast<std::size_t>(this->Scalars->GetNumberOfValues());
-    this->Volume.Build(this->Source, lights, voxels / voxelsOfACell);
+    this->Volume.Build({this->Source, voxels / voxelsOfACell}, lights);
   }
 
   /// Light at a cell, 0 to 1.

@@ -49,7 +49,8 @@ protected:
     Lights lights;
     lights.Shadow = true;
     lights.ToLight = toLight;
-    this->Volume.Build(this->Source, lights, std::size_t{Voxels} * Voxels * Voxels / voxelsOfACell);
+    this->Volume.Build(
+      {this->Source, std::size_t{Voxels} * Voxels * Voxels / voxelsOfACell}, lights);
   }
 
   /// Light of the cell that contains a voxel, 0 to 1.
@@ -188,7 +189,7 @@ TEST_F(SurfaceLight, OcclusionIsTheMeanOverTheSky)
   this->Source.Surfaces = {{28.5f, DepthOf(0.5)}};
   Lights lights;
   lights.Occlusion = true;
-  this->Volume.Build(this->Source, lights, std::size_t{Voxels} * Voxels * Voxels);
+  this->Volume.Build({this->Source, std::size_t{Voxels} * Voxels * Voxels}, lights);
   constexpr vtkIdType index = (27 * Voxels + 16) * Voxels + 16;
   constexpr double directions = vtkTextureSliceLightVolume::SkyDirectionsOfSurfaces;
   EXPECT_NEAR(this->Volume.GetLight()->GetValue(2 * index + 1),
