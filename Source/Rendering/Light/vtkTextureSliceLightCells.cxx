@@ -69,152 +69,102 @@ public:
 
   void operator()(vtkIdType begin, vtkIdType end) const
   {
-    Sums sums{std::vector<float>(this->Rows.Length), std::vector<float>(this->Rows.Length)};
-    Voxels voxels{std::vector<float>(this->Rows.Length * this->Rows.Components),
-      std::vector<float>(this->Rows.Length), std::vector<unsigned char>(this->Rows.Length, 1)};
+    std::vector<unsigned char> visible(this->Rows.Length, 1);
+    std::vector<Sum> sums;
     for (auto row = static_cast<int>(begin); row < static_cast<int>(end); ++row)
     {
       const int cellY = row % this->Grid.Size[1];
       const int cellZ = row / this->Grid.Size[1];
       const auto [firstY, endY] = this->Grid.GetRows(cellY, 1);
       const auto [firstZ, endZ] = this->Grid.GetRows(cellZ, 2);
-      std::fill(sums.Values.begin(), sums.Values.end(), 0.0f);
-      std::fill(sums.Visible.begin(), sums.Visible.end(), 0.0f);
+      sums.assign(static_cast<std::size_t>(this->Grid.Size[0]), {});
       for (int z = firstZ; z < endZ; ++z)
       {
         for (int y = firstY; y < endY; ++y)
         {
-          this->AddRow(y, z, voxels, sums);
+          this->AddRow(y, z, visible, sums.data());
         }
       }
+      const int rows = (endY - firstY) * (endZ - firstZ);
       float* cells = this->Values.data() + std::ptrdiff_t{row} * this->Grid.Size[0];
-      this->Average(sums, (endY - firstY) * (endZ - firstZ), cells);
-      if (this->Input.Left)
+      for (int x = 0; x < this->Grid.Size[0]; ++x)
       {
-        this->Cut(this->Grid.GetPlace(cellY, 1), this->Grid.GetPlace(cellZ, 2), cells);
+        const int first = x * this->Grid.Factor[0];
+        const int voxels = std::min(this->Grid.Factor[0], this->Grid.Voxels[0] - first) * rows;
+        const bool left =
+          !this->Input.Left || this->Input.Left->Leaves({this->Grid.GetPlace(x, 0),
+                                 this->Grid.GetPlace(cellY, 1), this->Grid.GetPlace(cellZ, 2)});
+        cells[x] = this->Average(left ? sums[static_cast<std::size_t>(x)] : Sum(), voxels);
       }
     }
   }
 
 private:
-  /// Over the rows of voxels of a row of cells.
-  struct Sums
+  /// Over the voxels of a cell.
+  struct Sum
   {
-    std::vector<float> Values;
-    std::vector<float> Visible; ///< how many voxels
-  };
-
-  struct Voxels
-  {
-    std::vector<float> Scalars; ///< component by component
-    std::vector<float> Values;
-    std::vector<unsigned char> Visible;
+    float Value = 0.0f;
+    int Visible = 0; ///< with isosurfaces: how many voxels
   };
 
   bool HasSurfaces() const { return !this->Input.Surfaces.empty(); }
 
-  void AddRow(int y, int z, Voxels& voxels, Sums& sums) const
+  void AddRow(int y, int z, std::vector<unsigned char>& visible, Sum* sums) const
   {
-    const std::size_t length = this->Rows.Length;
+    if (this->Input.Masked)
+    {
+      this->Rows.MarkVisible(y, z, 0, this->Rows.Length, visible.data());
+    }
+    const Scalar* scalars = this->Rows.GetScalars(y, z);
     const unsigned char* mask = this->Input.Mask;
     mask = mask == nullptr ? nullptr
                            : mask + (std::ptrdiff_t{z} * this->Grid.Voxels[1] + y) *
                                       std::ptrdiff_t{this->Grid.Voxels[0]};
-    if (this->Input.Masked)
+    for (std::size_t i = 0; i < this->Rows.Length; ++sums)
     {
-      this->Rows.MarkVisible(y, z, 0, length, voxels.Visible.data());
-    }
-    this->Decode(this->Rows.GetScalars(y, z), voxels.Scalars.data());
-    const float* values = voxels.Values.data();
-    if (this->HasSurfaces())
-    {
-      values = voxels.Scalars.data() + this->Input.Component * length;
-    }
-    else
-    {
-      this->LookUp(voxels.Scalars.data(), mask, voxels.Values);
-    }
-    for (std::size_t i = 0; i < length; ++i)
-    {
-      const bool hidden = this->HasSurfaces() && mask != nullptr && mask[i] == 0;
-      const bool visible = voxels.Visible[i] != 0 && !hidden;
-      sums.Values[i] += visible ? values[i] : 0.0f;
-      sums.Visible[i] += visible ? 1.0f : 0.0f;
+      Sum sum = *sums; // a copy, so that the functions need not be read anew
+      const std::size_t end =
+        std::min(this->Rows.Length, i + static_cast<std::size_t>(this->Grid.Factor[0]));
+      for (; i < end; ++i, scalars += this->Rows.Components)
+      {
+        const std::size_t label = mask == nullptr ? 0 : mask[i];
+        if (visible[i] != 0 && !this->HasSurfaces())
+        {
+          sum.Value += this->FindExtinction(scalars, label);
+        }
+        else if (visible[i] != 0 && (mask == nullptr || label > 0))
+        {
+          sum.Value += this->Decode(scalars[this->Input.Component]);
+          ++sum.Visible;
+        }
+      }
+      *sums = sum;
     }
   }
 
-  void Decode(const Scalar* scalars, float* decoded) const
+  float Decode(Scalar scalar) const
   {
-    const std::size_t components = this->Rows.Components;
-    for (std::size_t component = 0; component < components; ++component)
-    {
-      for (std::size_t i = 0; i < this->Rows.Length; ++i)
-      {
-        const Scalar scalar = scalars[i * components + component];
-        *decoded++ = this->Input.Scalars.Codes
-                       ? static_cast<float>(
-                           this->Input.Scalars.Codes->Values[static_cast<std::size_t>(scalar)])
-                       : static_cast<float>(scalar);
-      }
-    }
+    const auto& codes = this->Input.Scalars.Codes;
+    return static_cast<float>(codes ? codes->Values[static_cast<std::size_t>(scalar)] : scalar);
   }
 
-  void LookUp(
-    const float* scalars, const unsigned char* mask, std::vector<float>& extinctions) const
+  float FindExtinction(const Scalar* scalars, std::size_t label) const
   {
-    std::fill(extinctions.begin(), extinctions.end(), 0.0f);
-    for (std::size_t i = 0; mask != nullptr && i < extinctions.size(); ++i)
+    float extinction = 0.0f;
+    for (const Lookup& lookUp : this->Lookups[std::min(label, this->Lookups.size() - 1)])
     {
-      for (const Lookup& lookUp :
-        this->Lookups[std::min<std::size_t>(mask[i], this->Lookups.size() - 1)])
-      {
-        extinctions[i] += lookUp(scalars[lookUp.Component * this->Rows.Length + i]);
-      }
+      extinction += lookUp(this->Decode(scalars[lookUp.Component]));
     }
-    for (std::size_t set = 0; mask == nullptr && set < this->Lookups[0].size(); ++set)
-    {
-      const Lookup& lookUp = this->Lookups[0][set];
-      const float* scalar = scalars + lookUp.Component * this->Rows.Length;
-      for (std::size_t i = 0; i < extinctions.size(); ++i)
-      {
-        extinctions[i] += lookUp(scalar[i]);
-      }
-    }
-    for (float& extinction : extinctions)
-    {
-      extinction = extinction < this->Most ? extinction : this->Most;
-    }
+    return std::min(extinction, this->Most);
   }
 
-  void Average(const Sums& sums, int rows, float* cells) const
+  float Average(const Sum& sum, int voxels) const
   {
-    const auto factor = static_cast<std::size_t>(this->Grid.Factor[0]);
-    for (std::size_t cell = 0; cell * factor < this->Rows.Length; ++cell)
+    if (!this->HasSurfaces())
     {
-      const std::size_t end = std::min(this->Rows.Length, (cell + 1) * factor);
-      float sum = 0.0f;
-      float visible = 0.0f;
-      for (std::size_t i = cell * factor; i < end; ++i)
-      {
-        sum += sums.Values[i];
-        visible += sums.Visible[i];
-      }
-      const auto all = static_cast<float>(rows * static_cast<int>(end - cell * factor));
-      cells[cell] = !this->HasSurfaces()    ? sum / all
-                    : 2.0f * visible >= all ? sum / visible
-                                            : NotANumber;
+      return sum.Value / static_cast<float>(voxels);
     }
-  }
-
-  void Cut(double y, double z, float* cells) const
-  {
-    for (int x = 0; x < this->Grid.Size[0]; ++x)
-    {
-      if (!this->Input.Left->Leaves({this->Grid.GetPlace(x, 0), y, z}))
-      {
-        cells[x] = this->HasSurfaces() ? NotANumber : 0.0f;
-      }
-    }
+    return 2 * sum.Visible >= voxels ? sum.Value / static_cast<float>(sum.Visible) : NotANumber;
   }
 
   const Source& Input;
