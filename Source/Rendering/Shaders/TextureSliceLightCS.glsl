@@ -48,7 +48,7 @@ uniform int countOfSurfaces;
 // Of the course, and whether cells take what arrives.
 uniform int number;
 uniform bool gathering;
-#define course courses[number]
+Course course = courses[number];
 
 vec2 FindPlace(int plane)
 {
