@@ -55,6 +55,29 @@ private:
   std::optional<std::string> Before;
 };
 
+/// The light volumes of two mappers differ, by no more than that, and something is dark in them.
+void ExpectSameLight(Mapper* expected, Mapper* actual, double bound)
+{
+  vtkDataArray* lights = expected->GetLightVolume()->GetPointData()->GetScalars();
+  vtkDataArray* others = actual->GetLightVolume()->GetPointData()->GetScalars();
+  for (int component = 0; component < 2; ++component) // the light and the sky
+  {
+    double worst = 0.0;
+    double darkest = 1.0;
+    for (vtkIdType id = 0; id < lights->GetNumberOfTuples(); ++id)
+    {
+      const double light = lights->GetComponent(id, component);
+      worst = std::max(worst, std::abs(others->GetComponent(id, component) - light));
+      darkest = std::min(darkest, light);
+    }
+    std::cout << (component == 0 ? "the light" : ", the sky") << " differs by " << worst
+              << ", the darkest is " << darkest << (component == 0 ? "" : "\n");
+    EXPECT_GT(worst, 0.0);
+    EXPECT_LT(worst, bound);
+    EXPECT_LT(darkest, 0.8);
+  }
+}
+
 class Ways : public StormAgainstRayCaster
 {
 protected:
@@ -191,48 +214,29 @@ TEST_F(Ways, ComputeFollowsTheLightAsTheProcessorDoes)
   vtkContourValues* surfaces = this->Stage->GetProperty()->GetIsoSurfaceValues();
   surfaces->SetValue(0, 20.0);
   surfaces->SetValue(1, 40.0);
-  std::array<vtkNew<Mapper>, 2> mappers; // fragments and compute
-  for (const std::array<double, 3> toLight : std::initializer_list<std::array<double, 3>>{
-         {0.0, 0.0, 1.0}, {1.0, 0.3, -0.2}, {-0.4, 1.0, 0.7}, {0.5, 0.5, 0.5}, {-0.2, -0.9, 0.1}})
+  vtkNew<Mapper> byProcessor;
+  vtkNew<Mapper> byCompute;
+  byProcessor->SetWay(Mapper::FRAGMENTS);
+  byCompute->SetWay(Mapper::COMPUTE);
+  for (const int blendMode : {vtkVolumeMapper::COMPOSITE_BLEND, vtkVolumeMapper::ISOSURFACE_BLEND})
   {
-    for (const bool asSurfaces : {false, true})
+    for (const auto& [x, y, z] : std::initializer_list<std::array<double, 3>>{
+           {0.0, 0.0, 1.0}, {1.0, 0.3, -0.2}, {-0.4, 1.0, 0.7}, {0.5, 0.5, 0.5}, {-0.2, -0.9, 0.1}})
     {
-      std::array<vtkDataArray*, 2> lights{};
-      for (std::size_t i = 0; i < 2; ++i)
+      for (Mapper* mapper : {byProcessor.Get(), byCompute.Get()})
       {
-        mappers[i]->SetWay(i == 0 ? Mapper::FRAGMENTS : Mapper::COMPUTE);
-        mappers[i]->SetBlendMode(
-          asSurfaces ? vtkVolumeMapper::ISOSURFACE_BLEND : vtkVolumeMapper::COMPOSITE_BLEND);
-        mappers[i]->SetShadowStrength(0.7);
-        mappers[i]->SetOcclusionStrength(0.5);
-        mappers[i]->SetLightDirection(toLight.data());
-        this->Stage->Draw(this->Configure(mappers[i]));
-        lights[i] = mappers[i]->GetLightVolume()->GetPointData()->GetScalars();
+        mapper->SetBlendMode(blendMode);
+        mapper->SetShadowStrength(0.7);
+        mapper->SetOcclusionStrength(0.5);
+        mapper->SetLightDirection(x, y, z);
+        this->Stage->Draw(this->Configure(mapper));
       }
-      if (mappers[1]->GetDrawnWay() != Mapper::COMPUTE)
+      if (byCompute->GetDrawnWay() != Mapper::COMPUTE)
       {
         EXPECT_NE(this->TakeMessages().find("no compute shaders"), std::string::npos);
         return;
       }
-      std::array<double, 2> worst{};
-      std::array<double, 2> darkest{1.0, 1.0};
-      for (vtkIdType id = 0; id < 2 * lights[0]->GetNumberOfTuples(); ++id)
-      {
-        const double light = lights[0]->GetVariantValue(id).ToDouble();
-        const double difference = std::abs(lights[1]->GetVariantValue(id).ToDouble() - light);
-        worst[id % 2] = std::max(worst[id % 2], difference);
-        darkest[id % 2] = std::min(darkest[id % 2], light);
-      }
-      std::cout << "light from " << toLight[0] << ' ' << toLight[1] << ' ' << toLight[2]
-                << (asSurfaces ? " on surfaces" : "") << ": compute differs by " << worst[0]
-                << " and of the sky by " << worst[1] << ", the darkest is " << darkest[0] << " and "
-                << darkest[1] << '\n';
-      for (std::size_t component = 0; component < 2; ++component)
-      {
-        EXPECT_GT(worst[component], 0.0);
-        EXPECT_LT(worst[component], bound);
-        EXPECT_LT(darkest[component], 0.8);
-      }
+      ExpectSameLight(byProcessor, byCompute, bound);
     }
   }
 }
