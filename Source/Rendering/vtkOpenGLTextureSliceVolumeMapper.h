@@ -161,14 +161,14 @@ public:
 
   ///@{
   /**
-   * What draws the volume; all ways draw the same picture up to rounding, away from the faces of
-   * the box. FRAGMENTS: one fragment a pixel goes along the pixel's ray (OpenGL 3.2). COMPUTE: a
-   * compute shader does the same (OpenGL 4.2 with GL_ARB_compute_shader). POLYGONS: the outline of
-   * the volume, blended once a slice, which is slow and shows how slices work; composite blending
-   * without PreIntegration alone, else as AUTOMATIC. AUTOMATIC (the default) draws by fragments,
-   * times both shaders with the second frame, once for each card, and goes on by compute where that
-   * is twice as fast. A way that the context lacks is replaced with a warning. The environment
-   * variable VTK_TEXTURE_SLICE_WAY (automatic, fragments, compute, polygons) takes precedence.
+   * What draws the volume; all ways draw the same picture up to rounding. FRAGMENTS: one fragment a
+   * pixel goes along the pixel's ray (OpenGL 3.2). COMPUTE: a compute shader does the same (OpenGL
+   * 4.2 with GL_ARB_compute_shader). POLYGONS: the outline of the volume, blended once a slice,
+   * which is slow and shows how slices work; composite blending without PreIntegration and
+   * UseDepthPass alone, else as AUTOMATIC. AUTOMATIC (the default) draws by fragments, times both
+   * shaders with the second frame, once for each card, and goes on by compute where that is twice
+   * as fast. A way that the context lacks is replaced with a warning. The environment variable
+   * VTK_TEXTURE_SLICE_WAY (automatic, fragments, compute, polygons) takes precedence.
    */
   enum Ways
   {

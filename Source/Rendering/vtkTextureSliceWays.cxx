@@ -374,8 +374,8 @@ bool vtkTextureSliceWays::Choose(const vtkTextureSliceParts& parts)
 {
   this->Fallback.clear();
   this->IsTrialDue = false;
-  const bool canBePolygons =
-    parts.Features.BlendMode == Mapper::COMPOSITE_BLEND && !parts.Features.Slabs;
+  const bool canBePolygons = parts.Features.BlendMode == Mapper::COMPOSITE_BLEND &&
+                             !parts.Features.Slabs && parts.Features.Contours == 0;
   Way way = parts.Features.Places
               ? Mapper::FRAGMENTS
               : this->FindAsked(static_cast<Way>(parts.Request.Mapper->GetWay()));

@@ -130,11 +130,12 @@ vec2 FindSpan()
 // What each ray has, however short its way.
 #ifdef TEXTURE_SLICE_SLABS
 const float leastSlices = 4.0;
-#elif defined TEXTURE_SLICE_POLYGONS
-const float leastSlices = 0.0;
 #else
 const float leastSlices = 2.0;
 #endif
+
+// Of a ray with slices of its own, the plane that is nearest to their middle; else below 0.
+float ownPlane = -1.0;
 
 // False where the ray meets nothing that is drawn. A ray with a short way has slices of its own.
 bool StartRay(vec2 pixel)
@@ -151,6 +152,7 @@ bool StartRay(vec2 pixel)
   if (way < leastSlices)
   {
     float own = way / leastSlices;
+    ownPlane = floor(0.5 * (raySpan.x + raySpan.y) + 0.5);
     rayOrigin = PlaceAt(raySpan.x + 0.5 * own);
     rayStep *= own;
     raySpan = vec2(-0.5, leastSlices - 0.5);
