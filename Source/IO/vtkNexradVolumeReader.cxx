@@ -191,7 +191,8 @@ vtkNexradVolumeReader::Contents vtkNexradVolumeReader::ReadContents() const
   return contents;
 }
 
-void vtkNexradVolumeReader::ReadStep(const Step& step, vtkImageData* image)
+void vtkNexradVolumeReader::ReadStep(
+  const Step& step, const nexrad::VoxelBlock& block, vtkImageData* image)
 {
   if (nexrad::ReadNxvHeader(step.File).grid != this->Opened->Grid)
   {
@@ -199,8 +200,9 @@ void vtkNexradVolumeReader::ReadStep(const Step& step, vtkImageData* image)
       step.File.string() + ": its grid is not that of the first volume of the series");
   }
   vtkNexradReadVolumeFile({step.File.string(), NamesToLeaveOut(this->GetAncillaryArraySelection()),
-                            MomentsToRead(this->Moments), this->ScalarsAsCodes},
+                            MomentsToRead(this->Moments), this->ScalarsAsCodes, 0, block},
     image);
+  vtkNexradPlaceBlock(this->Opened->Grid, block, image);
 }
 
 vtkDataArraySelection* vtkNexradVolumeReader::GetAncillaryArraySelection()
@@ -285,10 +287,7 @@ int vtkNexradVolumeReader::RequestData(
   }
   try
   {
-    this->ReadStep(step, image);
-    const int extent[6] = {block.begin[0], block.end[0] - 1, block.begin[1], block.end[1] - 1,
-      block.begin[2], block.end[2] - 1};
-    image->Crop(extent);
+    this->ReadStep(step, block, image);
     vtkNexradAddRadarView(image, NamesToLeaveOut(this->AncillaryArraySelection));
   }
   catch (const nexrad::Error& error)

@@ -32,6 +32,10 @@
 #include <string> // For members
 
 class vtkDataArraySelection;
+namespace nexrad
+{
+struct VoxelBlock;
+}
 
 class VTKNEXRADIO_EXPORT vtkNexradVolumeReader : public vtkImageAlgorithm
 {
@@ -103,7 +107,7 @@ private:
   struct Step;
   struct Contents;
   Contents ReadContents() const;
-  void ReadStep(const Step& step, vtkImageData* image);
+  void ReadStep(const Step& step, const nexrad::VoxelBlock& block, vtkImageData* image);
   int Fail(unsigned long code, const std::string& line);
   void Describe(vtkInformation* info) const;
 

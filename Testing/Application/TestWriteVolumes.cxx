@@ -3,6 +3,7 @@
 #include "ErrorMessage.h"
 #include "Volumes/WriteVolumes.h"
 
+#include "Comparison/VolumeComparison.h"
 #include "DirectMerge.h"
 #include "Filters/Series/VolumeFiles.h"
 #include "HandMadeVolume.h"
@@ -296,4 +297,25 @@ TEST(OpeningVolumes, AVolumeTooLargeToDrawIsRefused)
   const auto series = OpenVolumeFiles({path});
   const std::string problem = MessageOf([&] { series->Load(0, {}); });
   EXPECT_NE(problem.find("681472000 voxels of 16 bytes"), std::string::npos) << problem;
+}
+
+// Large volumes are made band after band and stored in bricks: they hold what the others hold.
+TEST_F(WritingVolumes, InBricksTheSame)
+{
+  job.options.grid.dimensions = {70, 150, 10};
+  job.options.step = 10min;
+  const auto whole = this->Contents("whole");
+  job.written.largestWhole = 1000;
+  const auto bricks = this->Contents("bricks");
+  ASSERT_EQ(bricks.size(), whole.size());
+  for (const auto& [name, content] : whole)
+  {
+    ExpectSameVolume(
+      ReadNxv(folder.Path() / "bricks" / name), ReadNxv(folder.Path() / "whole" / name));
+    EXPECT_NE(bricks.at(name), content);
+    EXPECT_NE(bricks.at(name).find("\"encoding\":\"bricks\""), std::string::npos);
+  }
+  // Not those of each radar, nor of NetCDF.
+  job.perRadar = true;
+  EXPECT_EQ(this->Contents("radars").begin()->second.find("bricks"), std::string::npos);
 }

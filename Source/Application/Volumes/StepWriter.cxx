@@ -107,8 +107,23 @@ void WriteVolumeIndex(
   WriteNxvSeries(path, index);
 }
 
+bool AreInBricks(const VolumeFiles& files, const MergeOptions& options)
+{
+  double voxels = 1.0;
+  for (const int size : options.grid.dimensions)
+  {
+    voxels *= size;
+  }
+  return files.format == VolumeFormat::Nxv && options.method == MergeMethod::Beam &&
+         voxels > static_cast<double>(files.largestWhole);
+}
+
 VolumeUse UseOfWriting(const VolumeFiles& files, const MergeOptions& options)
 {
+  if (AreInBricks(files, options))
+  {
+    return {0, 0, NxvBandWriter::Rows};
+  }
   const std::size_t moments = 1 + options.furtherMoments.size();
   if (files.format == VolumeFormat::Nxv)
   {

@@ -28,6 +28,9 @@ struct VolumeFiles
 {
   VolumeFormat format = VolumeFormat::Nxv;
   NxvWriteOptions nxv; ///< of VolumeFormat::Nxv
+  /// Merged volumes of more voxels, by the method beam, are made and written band after band, in
+  /// bricks (NxvBandWriter); of VolumeFormat::Nxv.
+  std::size_t largestWhole = std::size_t(1) << 27;
   std::string history; ///< of VolumeFormat::NetCDF: the command that makes the volumes
 };
 
@@ -52,10 +55,12 @@ std::string RecipeOf(const std::string& command, const MergeOptions& options);
 void WriteVolumeIndex(const std::filesystem::path& path, const std::vector<std::string>& files,
   const std::vector<Time>& times);
 
-/// What becomes of the merged volumes that StepWriter writes: the one before, and what is made of
-/// it for its file.
-VolumeUse UseOfWriting(const VolumeFiles& files, const MergeOptions& options);
+/// Whether merged volumes are made and written band after band, in bricks.
+bool AreInBricks(const VolumeFiles& files, const MergeOptions& options);
 
+/// What becomes of the merged volumes that are written: StepWriter has the one before, and what is
+/// made of it for its file; of volumes in bricks there is one band.
+VolumeUse UseOfWriting(const VolumeFiles& files, const MergeOptions& options);
 /// Writes the volumes of a run, each on a thread of its own while the next one is being made.
 class StepWriter
 {

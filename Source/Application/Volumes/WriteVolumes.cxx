@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <exception>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <set>
 #include <string>
@@ -35,10 +36,15 @@ struct FileSeries
 };
 
 // How the volume of each time is written. One NetCDF file of all times is made of exact volumes at
-// the end of the run: such a file that a killed run left could not be continued.
+// the end of the run: such a file that a killed run left could not be continued. Bricks hold merged
+// volumes alone.
 VolumeFiles FilesOfTimes(const GridJob& job)
 {
   VolumeFiles files = job.written;
+  if (job.oneFile || job.perRadar)
+  {
+    files.largestWhole = std::numeric_limits<std::size_t>::max();
+  }
   if (job.oneFile)
   {
     files.format = VolumeFormat::Nxv;
@@ -128,9 +134,33 @@ private:
     }
   }
 
-  // Both are false when asked to stop.
+  // All three are false when asked to stop.
+  bool MakeInBricks(std::size_t step, const Progress& progress)
+  {
+    const std::string& name = all.front().files[step];
+    NxvBandWriter bricks(run.PlaceFor(name), merger.Grid(), job.written.nxv);
+    const RangeLoop loop = vtkNexradRangeLoop();
+    const auto take = [&](GriddedVolume band)
+    {
+      bricks.Add(band, loop);
+      return band;
+    };
+    if (!merger.MergeInBands(merger.Times()[step], NxvBandWriter::Rows, take, progress))
+    {
+      return false;
+    }
+    this->Begin(step);
+    bricks.Commit();
+    run.Add(name);
+    return true;
+  }
+
   bool MakeMerged(std::size_t step, const Progress& progress)
   {
+    if (AreInBricks(FilesOfTimes(job), job.options))
+    {
+      return this->MakeInBricks(step, progress);
+    }
     auto volume = merger.Merge(merger.Times()[step], progress, {}, std::move(memory));
     if (volume)
     {

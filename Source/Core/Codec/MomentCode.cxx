@@ -67,6 +67,12 @@ MomentCode MomentCode::Of(const GriddedVolume& volume)
   return tooFast ? CodeOf(wideVelocity) : code;
 }
 
+MomentCode MomentCode::Widest(MomentName moment)
+{
+  return CodeOf(
+    IsRadialVelocity(moment) ? wideVelocity : radarWords[static_cast<std::size_t>(moment)]);
+}
+
 unsigned MomentCode::Encode(float value) const
 {
   if (std::isnan(value))

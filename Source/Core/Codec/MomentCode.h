@@ -51,6 +51,9 @@ struct MomentCode
   /// ±0.3277/s by 0.00001/s, KDP ±327.67 degrees/km by 0.01, these in 16 bits.
   static MomentCode Of(const GriddedVolume& volume);
 
+  /// The same where it is not known how fast the echoes are: velocities in 16 bits.
+  static MomentCode Widest(MomentName moment);
+
   /// The code of an echo. What lies beyond the first or last code gets that: an echo stays an echo.
   /// A value that is not a number counts as not scanned.
   unsigned Encode(float value) const;

@@ -26,8 +26,9 @@ using Json = nlohmann::ordered_json;
 // Last key of the text; its CRC-32 covers the text before this.
 constexpr std::string_view checksumKey = ",\"header_crc32\":";
 
-constexpr std::array<std::pair<NxvStorage, const char*>, 2> storageNames = {
-  {{NxvStorage::RunLength, "rle"}, {NxvStorage::Deflated, "deflate"}}};
+constexpr std::array<std::pair<NxvStorage, const char*>, 3> storageNames = {
+  {{NxvStorage::RunLength, "rle"}, {NxvStorage::Deflated, "deflate"},
+    {NxvStorage::Bricks, "bricks"}}};
 
 constexpr std::array<std::pair<NxvType, const char*>, 4> typeNames = {{{NxvType::UInt7, "uint7"},
   {NxvType::UInt8, "uint8"}, {NxvType::UInt16, "uint16"}, {NxvType::Float32, "float32"}}};
@@ -73,6 +74,11 @@ Json FormatArray(const NxvArray& array)
   {
     json["piece_bytes"] = array.pieceBytes;
     json["pieces"] = array.pieces;
+  }
+  if (array.storage == NxvStorage::Bricks)
+  {
+    json["brick"] = array.brick;
+    json["index_length"] = array.indexLength;
   }
   return json;
 }
@@ -127,6 +133,37 @@ void ParsePieces(const Json& json, NxvArray& array)
   }
 }
 
+// Of an array in bricks.
+void ParseBricks(const Json& json, NxvArray& array)
+{
+  if (array.storage != NxvStorage::Bricks)
+  {
+    return;
+  }
+  constexpr double leastVoxels = 1 << 9; // so that the index takes little memory
+  constexpr double mostVoxels = 1 << 24;
+  double voxels = 1.0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const Json& along = json.at("brick").at(axis);
+    const auto size = along.is_number_unsigned() ? along.get<std::uint64_t>() : 0;
+    voxels *= static_cast<double>(size);
+    array.brick[axis] = static_cast<int>(std::min(size, std::uint64_t(1) << 24));
+  }
+  if (!(voxels >= leastVoxels && voxels <= mostVoxels))
+  {
+    throw Error("header: array \"" + Excerpt(array.name) + "\": bricks of " +
+                Excerpt(json.at("brick").dump()) + " voxels: must be 2^9 to 2^24");
+  }
+  const Json& length = json.at("index_length");
+  array.indexLength = length.is_number_unsigned() ? length.get<std::uint64_t>() : 0;
+  if (array.indexLength < 1 || array.indexLength > array.length)
+  {
+    throw Error("header: array \"" + Excerpt(array.name) + "\": an index of " +
+                Excerpt(length.dump()) + " bytes in a payload of " + std::to_string(array.length));
+  }
+}
+
 NxvArray ParseArray(const Json& json)
 {
   NxvArray array;
@@ -150,6 +187,7 @@ NxvArray ParseArray(const Json& json)
   }
   array.crc32 = static_cast<std::uint32_t>(crc);
   ParsePieces(json, array);
+  ParseBricks(json, array);
   return array;
 }
 
@@ -280,10 +318,10 @@ void ParseArrays(const Json& json, NxvHeader& header)
   header.volume.fill = static_cast<float>(header.arrays[0].fill);
   for (const NxvArray& array : header.arrays)
   {
-    if ((array.type == NxvType::UInt7) == (array.storage == NxvStorage::Deflated))
+    if ((array.type == NxvType::UInt7) != (array.storage == NxvStorage::RunLength))
     {
       throw Error("header: array \"" + Excerpt(array.name) +
-                  "\": rle is for uint7, deflate for the other types");
+                  "\": rle is for uint7, deflate and bricks are for the other types");
     }
   }
 }

@@ -3,6 +3,7 @@
 
 #include "nexrad/Grid/GriddedVolume.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -15,7 +16,8 @@ namespace nexrad
 enum class NxvStorage
 {
   RunLength, ///< "rle"
-  Deflated   ///< "deflate"
+  Deflated,  ///< "deflate"
+  Bricks     ///< "bricks": boxes of voxels, each deflated or of one value
 };
 
 /// What the bytes stand for when they are unpacked.
@@ -43,6 +45,8 @@ struct NxvArray
   /// fewer), and the bytes that it takes in the payload. Empty: the payload has no pieces.
   std::uint64_t pieceBytes = 0;
   std::vector<std::uint64_t> pieces;
+  std::array<int, 3> brick = {0, 0, 0}; ///< voxels of a brick along x, y and z
+  std::uint64_t indexLength = 0;        ///< bytes of the payload before the first brick
 };
 
 /// The header of a volume file.

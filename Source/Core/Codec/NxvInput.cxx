@@ -3,6 +3,7 @@
 
 #include "nexrad/Codec/JsonText.h"
 #include "nexrad/Codec/MomentCode.h"
+#include "nexrad/Codec/NxvBricks.h"
 #include "nexrad/Codec/ThesisStream.h"
 #include "nexrad/Compression/Deflate.h"
 #include "nexrad/System/Error.h"
@@ -21,18 +22,22 @@ constexpr std::size_t startSize = 8; // magic and header length
 
 std::uint64_t BytesOf(NxvType type)
 {
-  return type == NxvType::Float32 ? 4 : type == NxvType::UInt16 ? 2 : 1;
+  const NxvVoxelBytes each = NxvVoxelBytes::Of(type);
+  return each.planes * each.bytes;
 }
 
-// Throws Error for a payload that is too short for its voxels, however well it is compressed:
-// before memory is taken for them.
-void CheckExpansion(const NxvArray& array, std::uint64_t voxels)
+// Throws Error for a payload that is too short for its voxels, or for the index of its bricks,
+// however well it is compressed: before memory is taken for them.
+void CheckExpansion(const NxvArray& array, const GridSpecification& grid)
 {
   constexpr std::uint64_t strongest = 1032; // bytes of a byte (zlib's technical details)
-  const std::uint64_t bytes = voxels * BytesOf(array.type);
-  if (array.storage == NxvStorage::Deflated && bytes / strongest > array.length)
+  const bool bricks = array.storage == NxvStorage::Bricks;
+  const std::uint64_t bytes =
+    bricks ? NxvIndexBytes(array, grid.dimensions) : grid.VoxelCount() * BytesOf(array.type);
+  const std::uint64_t length = bricks ? array.indexLength : array.length;
+  if (array.storage != NxvStorage::RunLength && bytes / strongest > length)
   {
-    throw Error("array \"" + Excerpt(array.name) + "\": " + std::to_string(array.length) +
+    throw Error("array \"" + Excerpt(array.name) + "\": " + std::to_string(length) +
                 " bytes cannot be decompressed to " + std::to_string(bytes));
   }
 }
@@ -48,7 +53,7 @@ void CheckLengths(const NxvInput& file, const NxvContent& content)
                                         std::to_string(array.length) + " bytes, the file has " +
                                         std::to_string(left));
     }
-    CheckExpansion(array, content.header.volume.grid.VoxelCount());
+    CheckExpansion(array, content.header.volume.grid);
     left -= array.length;
   }
   if (left != 0)
@@ -163,11 +168,24 @@ void CheckNxvPayloads(NxvInput& file, const NxvContent& content)
   }
 }
 
-void ReadDeflated(NxvInput& file, std::uint64_t offset, const NxvArray& array, std::uint8_t* target,
+bool HasByteCodes(const NxvArray& array)
+{
+  return array.type == NxvType::UInt7 || array.type == NxvType::UInt8;
+}
+
+namespace
+{
+
+// Unpacks an array that has no bricks.
+void ReadWhole(NxvInput& file, std::uint64_t offset, const NxvArray& array, std::uint8_t* target,
   std::size_t size, const RangeLoop& loop)
 {
   const auto stream = file.ReadAll(offset, array.length);
-  if (array.pieces.empty())
+  if (array.storage == NxvStorage::RunLength)
+  {
+    DecodeRunLength(stream.data(), stream.size(), target, size, loop);
+  }
+  else if (array.pieces.empty())
   {
     InflateBytes(stream.data(), stream.size(), target, size);
   }
@@ -177,21 +195,28 @@ void ReadDeflated(NxvInput& file, std::uint64_t offset, const NxvArray& array, s
   }
 }
 
-bool HasByteCodes(const NxvArray& array)
-{
-  return array.type == NxvType::UInt7 || array.type == NxvType::UInt8;
-}
+} // namespace
 
-void ReadByteCodes(NxvInput& file, std::uint64_t offset, const NxvArray& array, std::uint8_t* codes,
-  std::size_t voxels, const RangeLoop& loop)
+void ReadArray(NxvInput& file, std::uint64_t offset, const NxvArray& array,
+  const GridSpecification& grid, const VoxelBlock& block, std::uint8_t* target,
+  const RangeLoop& loop)
 {
-  if (array.storage == NxvStorage::Deflated)
+  if (array.storage == NxvStorage::Bricks)
   {
-    ReadDeflated(file, offset, array, codes, voxels, loop);
+    const auto read = [&file, offset](std::uint64_t from, std::size_t size)
+    { return file.ReadAll(offset + from, size); };
+    ReadBricks(array, grid.dimensions, block, read, target, loop);
     return;
   }
-  const auto stream = file.ReadAll(offset, array.length);
-  DecodeRunLength(stream.data(), stream.size(), codes, voxels, loop);
+  const std::size_t size = grid.VoxelCount() * BytesOf(array.type);
+  if (block == VoxelBlock::Of(grid))
+  {
+    ReadWhole(file, offset, array, target, size, loop);
+    return;
+  }
+  std::vector<std::uint8_t> whole(size);
+  ReadWhole(file, offset, array, whole.data(), size, loop);
+  CopyBlock(NxvVoxelBytes::Of(array.type), grid.dimensions, block, whole.data(), target);
 }
 
 VoxelCodes ByteCodesOf(const NxvArray& array, float fill)

@@ -3,6 +3,7 @@
 
 #include "nexrad/Codec/CodedVolume.h"
 #include "nexrad/Codec/NxvHeader.h"
+#include "nexrad/Grid/VoxelBlock.h"
 #include "nexrad/System/RangeLoop.h"
 
 #include <array>
@@ -60,16 +61,14 @@ NxvContent OpenNxv(NxvInput& file);
 /// Throws Error when a payload differs from its CRC-32.
 void CheckNxvPayloads(NxvInput& file, const NxvContent& content);
 
-/// Inflates an array that must give exactly `size` bytes into `target`. Throws Error.
-void ReadDeflated(NxvInput& file, std::uint64_t offset, const NxvArray& array, std::uint8_t* target,
-  std::size_t size, const RangeLoop& loop);
+/// Unpacks the voxels of a block of an array of a grid: as many bytes as its type and the block
+/// have. Of an array in bricks, the others are not read. Throws Error when it is damaged.
+void ReadArray(NxvInput& file, std::uint64_t offset, const NxvArray& array,
+  const GridSpecification& grid, const VoxelBlock& block, std::uint8_t* target,
+  const RangeLoop& loop);
 
 /// Whether an array of a moment has codes of one byte.
 bool HasByteCodes(const NxvArray& array);
-
-/// Unpacks such an array. Throws Error unless it gives exactly `voxels` codes.
-void ReadByteCodes(NxvInput& file, std::uint64_t offset, const NxvArray& array, std::uint8_t* codes,
-  std::size_t voxels, const RangeLoop& loop);
 
 /// What its codes stand for in a volume of this fill.
 VoxelCodes ByteCodesOf(const NxvArray& array, float fill);

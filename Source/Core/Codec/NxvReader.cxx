@@ -3,6 +3,7 @@
 
 #include "nexrad/Codec/JsonText.h"
 #include "nexrad/Codec/MomentCode.h"
+#include "nexrad/Codec/NxvBricks.h"
 #include "nexrad/Codec/NxvHeader.h"
 #include "nexrad/Codec/NxvInput.h"
 #include "nexrad/Grid/VolumeMoments.h"
@@ -136,11 +137,11 @@ struct Reading
   NxvInput& file;
   const NxvContent& content;
   const NxvReadOptions& options;
+  const VoxelBlock block; // that is wanted
 
-  void Inflate(
-    std::uint64_t offset, const NxvArray& array, std::uint8_t* target, std::size_t size) const
+  void Unpack(std::uint64_t offset, const NxvArray& array, std::uint8_t* target) const
   {
-    ReadDeflated(file, offset, array, target, size, options.loop);
+    ReadArray(file, offset, array, content.header.volume.grid, block, target, options.loop);
   }
 };
 
@@ -148,7 +149,7 @@ void ReadValues(const Reading& reading, std::uint64_t offset, const NxvArray& ar
   std::vector<std::uint8_t>& values, std::size_t voxels)
 {
   values.resize(voxels);
-  reading.Inflate(offset, array, values.data(), voxels);
+  reading.Unpack(offset, array, values.data());
 }
 
 void ReadValues(const Reading& reading, std::uint64_t offset, const NxvArray& array,
@@ -156,7 +157,7 @@ void ReadValues(const Reading& reading, std::uint64_t offset, const NxvArray& ar
 {
   values.resize(voxels);
   auto* const bytes = reinterpret_cast<std::uint8_t*>(values.data());
-  reading.Inflate(offset, array, bytes, voxels * sizeof(float));
+  reading.Unpack(offset, array, bytes);
   for (std::size_t i = 0; i < voxels; ++i)
   {
     const std::uint32_t word = LittleEndian(bytes + i * sizeof(float));
@@ -170,7 +171,7 @@ std::unique_ptr<std::uint8_t[]> ReadCodes(
   // Not set to 0 first: all of them are written.
   std::unique_ptr<std::uint8_t[]> codes(new std::uint8_t[voxels]);
   UseHugePages(codes.get(), voxels);
-  ReadByteCodes(reading.file, offset, array, codes.get(), voxels, reading.options.loop);
+  reading.Unpack(offset, array, codes.get());
   return codes;
 }
 
@@ -191,7 +192,7 @@ void ReadMoment(
   {
     const MomentCode code{2, array.offset, array.scale};
     Bytes codes(code.bytes * voxels);
-    reading.Inflate(offset, array, codes.data(), codes.size());
+    reading.Unpack(offset, array, codes.data());
     code.DecodeAll(codes, volume);
     return;
   }
@@ -223,9 +224,13 @@ void ReadStates(const Reading& reading, std::uint64_t offset, const NxvArray& ar
 {
   RequireMomentBefore(volume);
   Bytes bytes(volume.grid.VoxelCount());
-  reading.Inflate(offset, array, bytes.data(), bytes.size());
+  reading.Unpack(offset, array, bytes.data());
   for (std::size_t i = 0; i < bytes.size(); ++i)
   {
+    if (fromCodes && array.storage == NxvStorage::Bricks && bytes[i] == NxvStateAsCode)
+    {
+      continue;
+    }
     const auto state = static_cast<VoxelState>(bytes[i]);
     const bool beyondCodes = state == VoxelState::RangeFolded || state == VoxelState::Filtered;
     const bool added = beyondCodes && volume.states[i] == VoxelState::NoEcho;
@@ -251,7 +256,7 @@ void ReadFiltered(
 {
   RequireMomentBefore(volume);
   Bytes bytes(volume.grid.VoxelCount());
-  reading.Inflate(offset, array, bytes.data(), bytes.size());
+  reading.Unpack(offset, array, bytes.data());
   for (std::size_t i = 0; i < bytes.size(); ++i)
   {
     if (bytes[i] > 1 || (bytes[i] == 1 && volume.states[i] != VoxelState::NoEcho))
@@ -325,9 +330,11 @@ void ReadEachArray(const NxvContent& content, const Read& read)
 }
 
 // A moment of a file, to be filled.
-GriddedVolume BeginMoment(const NxvHeader& header, MomentName moment)
+GriddedVolume BeginMoment(const Reading& reading, MomentName moment)
 {
+  const NxvHeader& header = reading.content.header;
   GriddedVolume volume = header.volume;
+  volume.grid = PartOf(volume.grid, reading.block);
   volume.moment = moment;
   volume.fill = static_cast<float>(ArrayOf(header, moment).fill);
   return volume;
@@ -362,7 +369,7 @@ GriddedVolume ReadVoxels(const Reading& reading)
   std::vector<GriddedVolume> moments;
   for (const MomentName moment : WantedMoments(header, reading.options))
   {
-    moments.push_back(BeginMoment(header, moment));
+    moments.push_back(BeginMoment(reading, moment));
   }
   ReadEachArray(reading.content,
     [&](std::uint64_t offset, const NxvArray& array)
@@ -378,7 +385,7 @@ GriddedVolume ReadVoxels(const Reading& reading)
 CodedVolume ReadCodedVoxels(const Reading& reading, MomentName moment)
 {
   CodedVolume coded;
-  coded.volume = BeginMoment(reading.content.header, moment);
+  coded.volume = BeginMoment(reading, moment);
   coded.meaning = ByteCodesOf(ArrayOf(reading.content.header, moment), coded.volume.fill);
   ReadEachArray(reading.content,
     [&](std::uint64_t offset, const NxvArray& array)
@@ -392,6 +399,29 @@ CodedVolume ReadCodedVoxels(const Reading& reading, MomentName moment)
       ReadAncillaryArray(reading, offset, array, coded.volume);
     });
   return coded;
+}
+
+bool IsInBricks(const NxvHeader& header)
+{
+  return std::all_of(header.arrays.begin(), header.arrays.end(),
+    [](const NxvArray& array) { return array.storage == NxvStorage::Bricks; });
+}
+
+// Checks what can be checked before voxels are read. Bricks have check sums of their own: those of
+// whole payloads are looked at only where all bricks are read.
+Reading BeginReading(NxvInput& file, const NxvContent& content, const NxvReadOptions& options)
+{
+  const GridSpecification& grid = content.header.volume.grid;
+  const VoxelBlock block = options.block.value_or(VoxelBlock::Of(grid));
+  const bool all = block == VoxelBlock::Of(grid);
+  const bool bricks = IsInBricks(content.header);
+  CheckMemory(PartOf(grid, bricks ? block : VoxelBlock::Of(grid)),
+    FurtherBytes(content.header, options), options.maximumBytes);
+  if (all || !bricks)
+  {
+    CheckNxvPayloads(file, content);
+  }
+  return {file, content, options, block};
 }
 
 // The one moment that is read, if it is one and has codes of one byte.
@@ -412,10 +442,7 @@ GriddedVolume ReadNxv(const fs::path& path, const NxvReadOptions& options)
     {
       NxvInput file(path);
       const NxvContent content = OpenNxv(file);
-      CheckMemory(
-        content.header.volume.grid, FurtherBytes(content.header, options), options.maximumBytes);
-      CheckNxvPayloads(file, content);
-      return ReadVoxels({file, content, options});
+      return ReadVoxels(BeginReading(file, content, options));
     });
 }
 
@@ -431,10 +458,7 @@ std::optional<CodedVolume> ReadNxvCodes(const fs::path& path, const NxvReadOptio
       {
         return std::nullopt;
       }
-      CheckMemory(
-        content.header.volume.grid, FurtherBytes(content.header, options), options.maximumBytes);
-      CheckNxvPayloads(file, content);
-      return ReadCodedVoxels({file, content, options}, *moment);
+      return ReadCodedVoxels(BeginReading(file, content, options), *moment);
     });
 }
 

@@ -3,6 +3,7 @@
 
 #include "nexrad/Codec/CodedVolume.h"
 #include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/Grid/VoxelBlock.h"
 #include "nexrad/System/RangeLoop.h"
 
 #include <cstddef>
@@ -25,12 +26,15 @@ struct NxvReadOptions
   /// Moments to read; the first of them is that of the volume, the others are its further ones.
   /// Empty: all, in the order of the file.
   std::vector<MomentName> moments = {};
+  /// The part of the grid to read, whose grid the volume then has; of a file in bricks, the others
+  /// are not read. Empty: all of it.
+  std::optional<VoxelBlock> block = {};
 };
 
 /// Reads one volume. Throws Error naming the file and the byte offset for a wrong magic, header,
 /// dimension, length, CRC or stream, for an ancillary array of a wrong type or with a value that it
-/// cannot have, and for a moment to read that the file does not have. Arrays beside the moments,
-/// their states and their ancillary arrays are checked and passed over.
+/// cannot have, for a moment to read that the file does not have, and for a block outside the grid.
+/// Arrays beside the moments, their states and their ancillary arrays are checked and passed over.
 GriddedVolume ReadNxv(const std::filesystem::path& path, const NxvReadOptions& options = {});
 
 /// Reads one moment as the codes that the file has, and its ancillary arrays. Nothing when several

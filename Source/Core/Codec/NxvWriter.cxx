@@ -2,6 +2,7 @@
 #include "nexrad/Codec/NxvWriter.h"
 
 #include "nexrad/Codec/MomentCode.h"
+#include "nexrad/Codec/NxvBricks.h"
 #include "nexrad/Codec/NxvHeader.h"
 #include "nexrad/Codec/ThesisStream.h"
 #include "nexrad/Compression/Deflate.h"
@@ -26,13 +27,22 @@ using Bytes = std::vector<std::uint8_t>;
 // few that a volume of 256 x 256 x 128 voxels has several.
 constexpr std::size_t pieceSize = std::size_t(1) << 20;
 
+// What takes the arrays of a volume.
+struct Content
+{
+  virtual ~Content() = default;
+  virtual void AddDeflated(
+    NxvArray array, std::size_t size, DeflateSearch search, const ByteSource& source) = 0;
+};
+
 // A header that grows with the payloads that follow it.
-struct FileContent
+struct FileContent : Content
 {
   NxvHeader header;
   std::vector<Bytes> payloads;
 
-  void AddDeflated(NxvArray array, std::size_t size, DeflateSearch search, const ByteSource& source)
+  void AddDeflated(
+    NxvArray array, std::size_t size, DeflateSearch search, const ByteSource& source) override
   {
     array.storage = NxvStorage::Deflated;
     DeflatedPieces deflated = DeflateInPieces(source, size, pieceSize, search);
@@ -106,7 +116,7 @@ NxvArray MomentArray(const GriddedVolume& volume)
 
 // `stateOf` gives the state that the file has of a voxel.
 template <class StateOf>
-void AddStates(FileContent& content, const GriddedVolume& volume, const StateOf& stateOf)
+void AddStates(Content& content, const GriddedVolume& volume, const StateOf& stateOf)
 {
   NxvArray array;
   array.name = std::string(ToString(volume.moment)) + "_state";
@@ -123,7 +133,7 @@ bool Holds(const std::vector<VoxelState>& states, VoxelState state)
 
 // Which voxels are filtered, where some are. Readers that do not know the array take them for no
 // echo.
-void AddFiltered(FileContent& content, const GriddedVolume& volume)
+void AddFiltered(Content& content, const GriddedVolume& volume)
 {
   if (!Holds(volume.states, VoxelState::Filtered))
   {
@@ -137,7 +147,7 @@ void AddFiltered(FileContent& content, const GriddedVolume& volume)
       [&states = volume.states](std::size_t i) { return states[i] == VoxelState::Filtered; }));
 }
 
-void AddFloats(FileContent& content, const GriddedVolume& volume)
+void AddFloats(Content& content, const GriddedVolume& volume)
 {
   CheckVoxelCount(volume);
   NxvArray array = MomentArray(volume);
@@ -167,17 +177,26 @@ void AddThesisStream(FileContent& content, const GriddedVolume& volume)
   AddFiltered(content, volume);
 }
 
-// An echo that is not a number has the code, and with it the state, of not scanned.
-void AddRadarSteps(FileContent& content, const GriddedVolume& volume)
+NxvArray CodedArray(const GriddedVolume& volume, const MomentCode& code)
 {
-  const MomentCode code = MomentCode::Of(volume);
   NxvArray array = MomentArray(volume);
   array.type = code.bytes == 1 ? NxvType::UInt8 : NxvType::UInt16;
   array.offset = code.offset;
   array.scale = code.scale;
-  content.AddDeflated(array, code.ByteCount(volume), DeflateSearch::Runs,
+  return array;
+}
+
+void AddCodes(Content& content, const GriddedVolume& volume, const MomentCode& code)
+{
+  content.AddDeflated(CodedArray(volume, code), code.ByteCount(volume), DeflateSearch::Runs,
     [&](std::size_t first, std::size_t count, std::uint8_t* to)
     { code.WriteBytes(volume, first, count, to); });
+}
+
+// An echo that is not a number has the code, and with it the state, of not scanned.
+void AddRadarSteps(Content& content, const GriddedVolume& volume)
+{
+  AddCodes(content, volume, MomentCode::Of(volume));
   if (Holds(volume.states, VoxelState::RangeFolded))
   {
     AddStates(content, volume,
@@ -241,7 +260,7 @@ void CheckAncillaryArray(
   }
 }
 
-void AddAncillary(FileContent& content, const GriddedVolume& volume, bool exact)
+void AddAncillary(Content& content, const GriddedVolume& volume, bool exact)
 {
   const auto add = [&](const std::string& name, const auto& values)
   {
@@ -279,9 +298,11 @@ void AddMoment(FileContent& content, const GriddedVolume& volume, NxvEncoding en
   AddAncillary(content, volume, encoding == NxvEncoding::Float);
 }
 
-void WriteContent(const std::filesystem::path& path, const FileContent& content)
+using Payload = std::vector<const Bytes*>; // one part after the other
+
+void WriteFile(const std::filesystem::path& path, const NxvHeader& volume, const Payload& payload)
 {
-  const std::string header = FormatNxvHeader(content.header);
+  const std::string header = FormatNxvHeader(volume);
   if (header.size() > NxvLargestHeader)
   {
     throw Error(path.string() + ": the header would be longer than " +
@@ -292,11 +313,19 @@ void WriteContent(const std::filesystem::path& path, const FileContent& content)
   AtomicFile file(path);
   file.Write(start.data(), start.size());
   file.Write(header.data(), header.size());
-  for (const Bytes& payload : content.payloads)
+  for (const Bytes* part : payload)
   {
-    file.Write(payload.data(), payload.size());
+    file.Write(part->data(), part->size());
   }
   file.Commit();
+}
+
+void RequireFiniteFill(const std::filesystem::path& path, const GriddedVolume& volume)
+{
+  if (!std::isfinite(volume.fill))
+  {
+    throw Error(path.string() + ": the fill value must be a finite number");
+  }
 }
 
 } // namespace
@@ -304,10 +333,7 @@ void WriteContent(const std::filesystem::path& path, const FileContent& content)
 void WriteNxv(
   const std::filesystem::path& path, const GriddedVolume& volume, const NxvWriteOptions& options)
 {
-  if (!std::isfinite(volume.fill))
-  {
-    throw Error(path.string() + ": the fill value must be a finite number");
-  }
+  RequireFiniteFill(path, volume);
   FileContent content;
   content.header.volume = WithoutVoxels(volume);
   const bool asTheThesis = volume.method == "thesis" && volume.moment == MomentName::REF;
@@ -318,7 +344,113 @@ void WriteNxv(
   {
     AddMoment(content, further, exact ? NxvEncoding::Float : NxvEncoding::RadarSteps);
   }
-  WriteContent(path, content);
+  Payload payload;
+  for (const Bytes& each : content.payloads)
+  {
+    payload.push_back(&each);
+  }
+  WriteFile(path, content.header, payload);
+}
+
+namespace
+{
+
+// Takes the arrays of a band.
+struct BandContent : Content
+{
+  explicit BandContent(NxvBrickArrays& theArrays)
+    : arrays(theArrays)
+  {
+  }
+  void AddDeflated(
+    NxvArray array, std::size_t, DeflateSearch search, const ByteSource& source) override
+  {
+    arrays.Add(array, search, source);
+  }
+
+  NxvBrickArrays& arrays;
+};
+
+// The same code in all bands, whatever they hold; states where the codes do not tell them.
+void AddBandCodes(Content& content, const GriddedVolume& volume)
+{
+  AddCodes(content, volume, MomentCode::Widest(volume.moment));
+  if (Holds(volume.states, VoxelState::RangeFolded))
+  {
+    AddStates(content, volume,
+      [&states = volume.states](std::size_t i)
+      {
+        return states[i] == VoxelState::RangeFolded ? static_cast<std::uint8_t>(states[i])
+                                                    : NxvStateAsCode;
+      });
+  }
+  AddFiltered(content, volume);
+}
+
+void AddBand(Content& content, const GriddedVolume& volume, bool exact)
+{
+  if (exact)
+  {
+    AddFloats(content, volume);
+  }
+  else
+  {
+    AddBandCodes(content, volume);
+  }
+  AddAncillary(content, volume, true);
+}
+
+} // namespace
+
+static_assert(NxvBandWriter::Rows == NxvBrickSize[1]);
+
+struct NxvBandWriter::Impl
+{
+  std::filesystem::path path;
+  bool exact = false;
+  NxvHeader header;
+  NxvBrickArrays arrays;
+};
+
+NxvBandWriter::NxvBandWriter(
+  const std::filesystem::path& path, const GridSpecification& grid, const NxvWriteOptions& options)
+  : impl(new Impl{path, options.encoding == NxvEncoding::Float, {}, NxvBrickArrays(grid)})
+{
+  impl->header.volume.grid = grid;
+}
+
+NxvBandWriter::~NxvBandWriter() = default;
+
+void NxvBandWriter::Add(const GriddedVolume& band, const RangeLoop& loop)
+{
+  RequireFiniteFill(impl->path, band);
+  const GridSpecification grid = impl->header.volume.grid;
+  impl->header.volume = WithoutVoxels(band);
+  impl->header.volume.grid = grid;
+  BandContent content(impl->arrays);
+  if (band.grid != PartOf(grid, impl->arrays.BeginBand(loop)))
+  {
+    throw Error(impl->path.string() + ": bands must have " + std::to_string(Rows) +
+                " rows of the grid each, from the first row on");
+  }
+  AddBand(content, band, impl->exact);
+  for (const GriddedVolume& further : band.further)
+  {
+    AddBand(content, further, impl->exact);
+  }
+  impl->arrays.EndBand();
+}
+
+void NxvBandWriter::Commit()
+{
+  impl->header.arrays = impl->arrays.Finish();
+  Payload payload;
+  for (std::size_t i = 0; i < impl->header.arrays.size(); ++i)
+  {
+    payload.push_back(&impl->arrays.IndexOf(i));
+    payload.push_back(&impl->arrays.BricksOf(i));
+  }
+  WriteFile(impl->path, impl->header, payload);
 }
 
 } // namespace nexrad

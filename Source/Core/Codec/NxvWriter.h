@@ -2,8 +2,10 @@
 #pragma once
 
 #include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/System/RangeLoop.h"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 
 namespace nexrad
@@ -34,5 +36,36 @@ struct NxvWriteOptions
 /// largest value needs, but exact when Float is asked for.
 void WriteNxv(const std::filesystem::path& path, const GriddedVolume& volume,
   const NxvWriteOptions& options = {});
+
+/// Writes one volume in bricks (Documentation/Formats/nxv.md) from bands of its rows, of which one
+/// alone is there at a time. A brick of voxels that are alike takes eight bytes before these are
+/// compressed. Memory and file grow with what the volume holds, not with the grid.
+///
+/// Codes are those of WriteNxv, but velocities always have two bytes, and ages and weights are
+/// exact. Not for NxvEncoding::Thesis.
+class NxvBandWriter
+{
+public:
+  /// `grid` is that of the whole volume.
+  NxvBandWriter(const std::filesystem::path& path, const GridSpecification& grid,
+    const NxvWriteOptions& options = {});
+  ~NxvBandWriter();
+  NxvBandWriter(const NxvBandWriter&) = delete;
+  NxvBandWriter& operator=(const NxvBandWriter&) = delete;
+
+  /// Rows of each band but the last, which has what is left.
+  static constexpr int Rows = 64;
+
+  /// Packs the next band: its grid is that part of the whole. `loop` packs several bricks at a
+  /// time. Throws Error as WriteNxv does.
+  void Add(const GriddedVolume& band, const RangeLoop& loop = {});
+
+  /// Writes the file, after the last band. Throws Error when it cannot be written.
+  void Commit();
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> impl;
+};
 
 } // namespace nexrad

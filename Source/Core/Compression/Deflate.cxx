@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <exception>
 #include <new>
 #include <string>
 #include <utility>
@@ -220,31 +219,13 @@ void InflatePieces(const std::uint8_t* stream, const std::vector<std::uint64_t>&
     begins.push_back(begins.back() + length);
   }
   begins.front() = zlibHeaderSize;
-  std::vector<std::exception_ptr> problems(lengths.size());
-  RunLoop(loop, static_cast<int>(lengths.size()),
-    [&](int first, int end)
+  RunEach(loop, lengths.size(),
+    [&](std::size_t i)
     {
-      for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(end); ++i)
-      {
-        try
-        {
-          const std::size_t begin = i * pieceSize;
-          InflatePiece(stream + begins[i], begins[i + 1] - begins[i], i + 1 == lengths.size(),
-            target + begin, std::min(pieceSize, size - begin));
-        }
-        catch (...)
-        {
-          problems[i] = std::current_exception();
-        }
-      }
+      const std::size_t begin = i * pieceSize;
+      InflatePiece(stream + begins[i], begins[i + 1] - begins[i], i + 1 == lengths.size(),
+        target + begin, std::min(pieceSize, size - begin));
     });
-  for (const std::exception_ptr& problem : problems)
-  {
-    if (problem)
-    {
-      std::rethrow_exception(problem);
-    }
-  }
 }
 
 std::uint32_t Crc32(const std::uint8_t* data, std::size_t size, std::uint32_t before)

@@ -115,13 +115,23 @@ private:
   std::vector<Offset> nodes; // from the first to the last along both axes, x fastest
 };
 
+// The tangent of an angle, rad. Out to any gate its series is exact.
+double TangentOf(double angle)
+{
+  const double s = angle * angle;
+  return angle < 0.03
+           ? angle *
+               (1.0 + s * (1.0 / 3.0 + s * (2.0 / 15.0 + s * (17.0 / 315.0 + s * (62.0 / 2835.0)))))
+           : std::tan(angle);
+}
+
 ColumnDirection DirectionOf(const Offset& offset, double effectiveRadius)
 {
-  const double distance = std::hypot(offset.east, offset.north);
+  const double distance = std::sqrt(offset.east * offset.east + offset.north * offset.north);
   const double azimuth = std::atan2(offset.east, offset.north) / RadiansPerDegree;
   const auto turned = static_cast<float>(azimuth < 0.0 ? azimuth + 360.0 : azimuth);
   return {turned < 360.0F ? turned : 0.0F,
-    static_cast<float>(std::tan(0.5 * distance / effectiveRadius))};
+    static_cast<float>(TangentOf(0.5 * distance / effectiveRadius))};
 }
 
 // The columns of a grid within a box round the circle of `reach` about a site.
@@ -155,11 +165,12 @@ ColumnBox PartWithin(const ColumnBox& box, const VoxelBlock& block)
 } // namespace
 
 std::size_t SiteGeometry::MemoryBytesOf(
-  const GridSpecification& grid, const Position& site, double reach)
+  const GridSpecification& grid, const Position& site, double reach, int rows)
 {
   const ColumnBox box = BoxAbout(grid, site, reach);
   const auto width = static_cast<std::size_t>(box.last[0] - box.first[0]);
-  const auto height = static_cast<std::size_t>(box.last[1] - box.first[1]);
+  const int most = rows > 0 ? rows : grid.dimensions[1];
+  const auto height = static_cast<std::size_t>(std::min(most, box.last[1] - box.first[1]));
   return box.IsEmpty() ? 0 : width * height * sizeof(ColumnDirection);
 }
 

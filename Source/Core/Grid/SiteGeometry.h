@@ -50,9 +50,9 @@ public:
   float Nearest() const { return nearest; }
 
   std::size_t MemoryBytes() const { return columns.size() * sizeof(ColumnDirection); }
-  /// What MemoryBytes of a whole grid will be.
+  /// The most that MemoryBytes can be for a block of so many rows of the grid; 0 for all rows.
   static std::size_t MemoryBytesOf(
-    const GridSpecification& grid, const Position& site, double reach);
+    const GridSpecification& grid, const Position& site, double reach, int rows = 0);
   /// The most that it can be for a grid of these dimensions, wherever the radar stands.
   static std::size_t MostMemoryBytes(const std::array<int, 3>& dimensions);
 

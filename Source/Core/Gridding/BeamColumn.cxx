@@ -47,6 +47,38 @@ float UpperEdge(const TiltEdges& tilt, const TiltSample& sample)
   return std::max(tilt.upper + beside, tilt.tangent);
 }
 
+// How high beams pass over a column.
+class HeightsOver
+{
+public:
+  explicit HeightsOver(const SiteColumn& site)
+    : levels(*site.levels)
+    , t(std::max(site.halfTangent, smallestHalfTangent))
+    , sine(2.0F * t / (1.0F + t * t))
+  {
+  }
+
+  // h/(a_e + h) at the tangent of an elevation.
+  float RatioAt(float tangent) const { return (tangent + t) * sine; }
+
+  // The first level at or above that.
+  int LevelAt(float tangent) const
+  {
+    const float ratio = this->RatioAt(tangent);
+    // Nearly straight up the formula has no answer, and none is needed.
+    const float height = ratio < 0.1F ? levels.radius * ratio / (1.0F - ratio) : 1e6F;
+    const float level = std::clamp(
+      (height - levels.bottom) * levels.perMetre, 0.0F, static_cast<float>(levels.ratio.size()));
+    const int below = static_cast<int>(level);
+    return static_cast<float>(below) < level ? below + 1 : below;
+  }
+
+private:
+  const SiteLevels& levels;
+  const float t;
+  const float sine;
+};
+
 // Whether layers change anything in the gap above a tilt.
 bool ChangedByLayers(const SiteColumn& site, std::size_t tilt)
 {
@@ -119,21 +151,9 @@ void BeamColumn::Clear()
 void BeamColumn::Add(const SiteColumn& site)
 {
   const std::vector<TiltEdges>& edges = *site.edges;
-  const SiteLevels& levels = *site.levels;
   const TiltSample* samples = site.samples;
-  const float t = std::max(site.halfTangent, smallestHalfTangent);
-  const float sine = 2.0F * t / (1.0F + t * t);
-  const auto ratioAt = [t, sine](float tangent) { return (tangent + t) * sine; };
-  const auto levelAt = [this, &levels, &ratioAt](float tangent)
-  {
-    const float ratio = ratioAt(tangent);
-    // Nearly straight up the formula has no answer, and none is needed.
-    const float height = ratio < 0.1F ? levels.radius * ratio / (1.0F - ratio) : 1e6F;
-    const float level =
-      std::clamp((height - levels.bottom) * levels.perMetre, 0.0F, static_cast<float>(levelCount));
-    const int below = static_cast<int>(level);
-    return static_cast<float>(below) < level ? below + 1 : below;
-  };
+  const HeightsOver over(site);
+  const auto levelAt = [&over](float tangent) { return over.LevelAt(tangent); };
   static constexpr TiltSample nothing;
   int from = levelAt(LowerEdge(edges.front(), samples[0]));
   int lowerEnd = 0;
@@ -156,8 +176,8 @@ void BeamColumn::Add(const SiteColumn& site)
       gap.middle = gap.from;
       if (i > 0 && i < edges.size())
       {
-        gap.ratioFrom = ratioAt(edges[i - 1].tangent);
-        gap.perRatio = 1.0F / (ratioAt(edges[i].tangent) - gap.ratioFrom);
+        gap.ratioFrom = over.RatioAt(edges[i - 1].tangent);
+        gap.perRatio = 1.0F / (over.RatioAt(edges[i].tangent) - gap.ratioFrom);
         gap.edges = &edges[i - 1];
         gap.tilt = i - 1;
         gap.middle = std::clamp(levelAt(edges[i - 1].middle), gap.from, gap.to);
@@ -169,6 +189,29 @@ void BeamColumn::Add(const SiteColumn& site)
     }
     from = gap.to;
   }
+}
+
+void BeamColumn::AddQuiet(const SiteColumn& site, std::size_t firstTilt, std::size_t endTilt)
+{
+  if (firstTilt == endTilt)
+  {
+    return;
+  }
+  const std::vector<TiltEdges>& edges = *site.edges;
+  const HeightsOver over(site);
+  const std::size_t last = endTilt - 1;
+  int from = over.LevelAt(LowerEdge(edges[firstTilt], site.samples[firstTilt]));
+  int to = over.LevelAt(edges[last].tangent);
+  to = to < levelCount ? over.LevelAt(UpperEdge(edges[last], site.samples[last])) : to;
+  // Beside a tilt that did not scan the column, half a beam width counts, but not beyond that tilt.
+  from = firstTilt > 0 ? std::max(from, over.LevelAt(edges[firstTilt - 1].tangent)) : from;
+  to = endTilt < edges.size() ? std::min(to, over.LevelAt(edges[endTilt].tangent)) : to;
+  const float* ofLevel = site.levels->weight.data();
+  for (int z = from; z < to; ++z)
+  {
+    weights[static_cast<std::size_t>(z)] = site.weight * ofLevel[z];
+  }
+  this->AccumulateNone(from, to);
 }
 
 void BeamColumn::AddGap(const SiteColumn& site, const Gap& gap)

@@ -7,6 +7,7 @@
 #include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/Gridding/BeamSampling.h"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -21,6 +22,14 @@ struct SiteLevels
   /// `overlapLength` is L of Formulas W4, m; 0 for equal weights.
   SiteLevels(
     const GridSpecification& grid, double altitude, double effectiveRadius, double overlapLength);
+
+  /// Whether an elevation of this tangent surely passes above the highest level over a column.
+  bool AreBelow(float tangent, float halfTangent) const
+  {
+    constexpr float margin = 1.0001F;
+    const float t = halfTangent;
+    return (tangent + t) * 2.0F * t / (1.0F + t * t) > margin * std::abs(ratio.back());
+  }
 
   float radius = 0.0F;       ///< a_e, m
   float bottom = 0.0F;       ///< m above the antenna, of the lowest level
@@ -69,6 +78,12 @@ public:
   /// Adds a radar. For Nearest, and for the nearest site among the ancillary arrays, the radars
   /// must be added in the order of their distances.
   void Add(const SiteColumn& site);
+
+  /// The same of a radar of which the tilts from the first to before the end scanned the column,
+  /// count in full and have no echo, and the others did not scan it. Of these tilts the samples of
+  /// the first and the last are looked at, of the last unless it passes above the levels. No
+  /// layers, no ancillary arrays.
+  void AddQuiet(const SiteColumn& site, std::size_t firstTilt, std::size_t endTilt);
 
   /// Decides each voxel; then the results below hold.
   void Finish(float fill);

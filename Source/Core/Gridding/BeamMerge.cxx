@@ -178,6 +178,25 @@ double VoxelSide(const GridSpecification& grid, const Position& site)
   return std::min(extent[0], extent[1]);
 }
 
+// Knows tilts without echo by the distance, where age is not wanted and every voxel that a radar
+// scanned has a weight that a float can hold.
+void FindQuietZones(double overlapLength, bool byDistance, MergeSite& site)
+{
+  site.lowestQuiet = std::min_element(site.quiet.begin(), site.quiet.end(),
+    [](const QuietTilt& a, const QuietTilt& b) {
+      return a.elevation < b.elevation;
+    })->elevation;
+  constexpr double leastWeight = 1e-30;
+  const double chord =
+    2.0 * static_cast<double>(site.context.effectiveRadius * site.reach) / overlapLength;
+  const double ofDistance = byDistance ? std::exp(-chord * chord) : 1.0;
+  const float ofHeight = *std::min_element(site.levels.weight.begin(), site.levels.weight.end());
+  if (!site.context.ages && ofDistance * static_cast<double>(ofHeight) > leastWeight)
+  {
+    site.zones = QuietZones(site.tilts, site.quiet, site.context);
+  }
+}
+
 // 0 for no means.
 double SideOfMeans(const Site& site, const GridSpecification& grid, const BeamMergeOptions& options)
 {
@@ -297,12 +316,13 @@ BeamVolume PrepareForGrid(
   return prepared;
 }
 
-std::size_t GeometryBytes(const GridSpecification& grid, const std::vector<Position>& radars)
+std::size_t GeometryBytes(
+  const GridSpecification& grid, const std::vector<Position>& radars, int rows)
 {
   std::size_t bytes = 0;
   for (const Position& radar : radars)
   {
-    bytes += SiteGeometry::MemoryBytesOf(grid, radar, farthestGate);
+    bytes += SiteGeometry::MemoryBytesOf(grid, radar, farthestGate, rows);
   }
   return bytes;
 }
@@ -469,15 +489,16 @@ std::vector<MergeSite> BeamMerger::MakeSites(
     const BeamVolume& any = *group.second.front();
     const Position& position = *any.site.position;
     const bool byDistance = StrategyFor(any.moment, options.strategy) == OverlapStrategy::Distance;
-    MergeSite site{number, &this->GeometryOf(position),
+    MergeSite site{number, position, nullptr,
       SiteLevels(grid, position.altitude, radius, byDistance ? options.overlapLength : 0.0), tilts,
-      {}, ContextFor(any, options, radius), ReachOf(group.second, radius), {}, {}, {}, {}};
+      {}, ContextFor(any, options, radius), ReachOf(group.second, radius), {}, {}, {}, {}, {}, {}};
     const double beamWidth = options.beamWidth.value_or(BeamWidthOf(any.site));
     site.edges = FindEdges(AnglesOf(site.tilts), beamWidth);
     for (const BeamTilt& tilt : site.tilts)
     {
       site.quiet.push_back(FindQuiet(tilt, site.context));
     }
+    FindQuietZones(options.overlapLength, byDistance, site);
     if (options.trend && any.moment == MomentName::REF && !options.linearReflectivity)
     {
       site.layers = SiteLayers(group.second, site.tilts, time);
@@ -555,18 +576,34 @@ GriddedVolume BeamMerger::VolumeToFill(
   return volume;
 }
 
-std::optional<GriddedVolume> BeamMerger::Merge(const BeamVolumes& given, Time time,
+std::optional<GriddedVolume> BeamMerger::Merge(const BeamVolumes& volumes, Time time,
   const MotionField* motion, const RangeLoop& loop, const Progress& progress, GriddedVolume memory)
+{
+  BeamMergePlan plan = this->Plan(volumes, time, motion);
+  return this->Merge(plan, loop, progress, std::move(memory));
+}
+
+BeamMergePlan BeamMerger::Plan(const BeamVolumes& volumes, Time time, const MotionField* motion)
 {
   if (motion != nullptr && !motion->Covers(grid))
   {
     throw Error("the motion must be that of the grid of the merge, or constant");
   }
-  const BeamVolumes volumes = this->WithMeans(given);
-  this->FindGeometries(PositionsOf(volumes), loop);
   const bool moves = motion != nullptr && motion->FastestSpeed() > 0.0;
-  const std::vector<MergeSite> sites = this->MakeSites(volumes, time, moves ? motion : nullptr);
-  GriddedVolume volume = this->VolumeToFill(volumes, time, std::move(memory));
+  BeamMergePlan plan{this->WithMeans(volumes), time, moves ? motion : nullptr, {}};
+  plan.sites = this->MakeSites(plan.volumes, time, plan.motion);
+  return plan;
+}
+
+std::optional<GriddedVolume> BeamMerger::Merge(
+  BeamMergePlan& plan, const RangeLoop& loop, const Progress& progress, GriddedVolume memory)
+{
+  this->FindGeometries(PositionsOf(plan.volumes), loop);
+  for (MergeSite& site : plan.sites)
+  {
+    site.geometry = &this->GeometryOf(site.position);
+  }
+  GriddedVolume volume = this->VolumeToFill(plan.volumes, plan.time, std::move(memory));
   RowOptions rows;
   rows.block = block;
   rows.levels = grid.dimensions[2];
@@ -574,7 +611,7 @@ std::optional<GriddedVolume> BeamMerger::Merge(const BeamVolumes& given, Time ti
   rows.overlapLength = static_cast<float>(options.overlapLength);
   rows.fillColumns = options.fillColumns;
   rows.trend = options.trend;
-  rows.motion = moves ? motion : nullptr;
+  rows.motion = plan.motion;
   const int height = block.Size(1);
   for (int band = 0; band < height; band += bandHeight)
   {
@@ -588,7 +625,7 @@ std::optional<GriddedVolume> BeamMerger::Merge(const BeamVolumes& given, Time ti
       {
         const int first = band + begin * rowsTogether;
         const int last = std::min(band + end * rowsTogether, bandEnd);
-        MergeRows(sites, rows, block.begin[1] + first, block.begin[1] + last, volume);
+        MergeRows(plan.sites, rows, block.begin[1] + first, block.begin[1] + last, volume);
       });
   }
   if (progress && !progress(1.0))

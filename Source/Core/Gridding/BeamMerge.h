@@ -60,8 +60,19 @@ struct SiteReach
 BeamVolume PrepareForGrid(
   const PolarVolume& volume, const GridSpecification& grid, const BeamMergeOptions& options);
 
-/// Bytes that a BeamMerger keeps of the geometry of radars on a whole grid.
-std::size_t GeometryBytes(const GridSpecification& grid, const std::vector<Position>& radars);
+/// Bytes that a BeamMerger keeps of the geometry of radars on a block of so many rows of a grid, or
+/// more; 0 for all rows.
+std::size_t GeometryBytes(
+  const GridSpecification& grid, const std::vector<Position>& radars, int rows = 0);
+
+/// What a merge at one time needs of its radars, whatever block of the grid is made.
+struct BeamMergePlan
+{
+  BeamVolumes volumes; ///< with means for the grid
+  Time time{};
+  const MotionField* motion = nullptr; ///< as BeamMerger::Plan was given it; nullptr when it is 0
+  std::vector<MergeSite> sites;
+};
 
 /// The default method: merges volumes of any number of radars on a grid by the geometry of their
 /// beams.
@@ -108,6 +119,12 @@ public:
   std::optional<GriddedVolume> Merge(const BeamVolumes& volumes, Time time,
     const MotionField* motion, const RangeLoop& loop = {}, const Progress& progress = {},
     GriddedVolume memory = {});
+
+  /// The same in two steps, for several blocks: Plan does what is common to all of them. `motion`
+  /// must outlive the plan.
+  BeamMergePlan Plan(const BeamVolumes& volumes, Time time, const MotionField* motion);
+  std::optional<GriddedVolume> Merge(BeamMergePlan& plan, const RangeLoop& loop = {},
+    const Progress& progress = {}, GriddedVolume memory = {});
 
   /// The same of volumes that are not ready, without motion.
   std::optional<GriddedVolume> Merge(const std::vector<const PolarVolume*>& volumes, Time time,

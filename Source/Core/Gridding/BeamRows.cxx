@@ -88,10 +88,6 @@ public:
     , samples(theSites.size())
     , surroundings(theSites.size())
   {
-    for (std::size_t i = 0; i < sites.size(); ++i)
-    {
-      samples[i].resize(sites[i].tilts.size() * stripWidth);
-    }
   }
 
   // Merges the columns x to x + count − 1 of a row.
@@ -102,6 +98,7 @@ public:
     {
       this->Sample(i, x, y, count);
     }
+    anyEcho = false;
     if (present.empty())
     {
       this->KeepNothing();
@@ -118,12 +115,17 @@ public:
 
 private:
   // What a radar has about a column: the highest sweep that holds something, whether layers change
-  // anything, and how both move.
+  // anything, how both move; and the tilts from the first to the last that scanned it, where all of
+  // these found nothing.
   struct Surroundings
   {
     std::uint8_t top = 0;
     bool layers = false;
+    const QuietZones::Tilt* known = nullptr; // of each tilt where none has an echo; or nullptr
     ColumnMotion motion;
+    bool quiet = false;
+    std::size_t firstTilt = 0;
+    std::size_t endTilt = 0; // firstTilt where no tilt scanned it
   };
 
   // A radar that sees columns of the strip.
@@ -158,6 +160,7 @@ private:
       return;
     }
     present.push_back({number, begin, end});
+    samples[number].resize(site.tilts.size() * stripWidth); // of few radars, on a large grid
     this->SurveyColumns(number, directions, x, y, begin, end);
     const std::array<Surroundings, stripWidth>& about = surroundings[number];
     const std::size_t tilts = site.tilts.size();
@@ -166,8 +169,11 @@ private:
       TiltSample* to = samples[number].data() + tilt;
       for (int i = begin; i < end; ++i)
       {
-        to[static_cast<std::size_t>(i) * tilts] =
-          this->SampleColumn(site, tilt, directions[i], about[static_cast<std::size_t>(i)]);
+        if (!about[static_cast<std::size_t>(i)].quiet)
+        {
+          to[static_cast<std::size_t>(i) * tilts] =
+            this->SampleColumn(site, tilt, directions[i], about[static_cast<std::size_t>(i)]);
+        }
       }
     }
   }
@@ -182,16 +188,71 @@ private:
       Surroundings& about = surroundings[number][static_cast<std::size_t>(i)];
       about.top = site.mask.TopOver(directions[i]);
       about.layers = site.layers.AnyAt(directions[i]);
+      about.known = site.zones.At(directions[i]);
       if ((about.top > 0 || about.layers) && options.motion != nullptr)
       {
         about.motion = MotionSeenBy(site, directions[i], options.motion->At(x + i, y));
       }
+      TiltSample* to = samples[number].data() + static_cast<std::size_t>(i) * site.tilts.size();
+      this->FindQuietTilts(site, directions[i], about, to);
+    }
+  }
+
+  // Finds out whether a radar has no echo over a column, and the tilts that say so. Of these the
+  // first and the last alone are sampled, with whose beams ends what was scanned, and the last only
+  // where it is not above the grid.
+  void FindQuietTilts(const MergeSite& site, const ColumnDirection& direction, Surroundings& about,
+    TiltSample* to) const
+  {
+    const QuietZones::Tilt* known = about.known;
+    about.quiet = false;
+    if (known == nullptr || about.top >= site.lowestQuiet || about.layers)
+    {
+      return;
+    }
+    about.firstTilt = about.endTilt = 0;
+    for (std::size_t tilt = 0; tilt < site.tilts.size(); ++tilt)
+    {
+      bool none = known[tilt] == QuietZones::Tilt::NoEcho;
+      if (known[tilt] == QuietZones::Tilt::Unknown)
+      {
+        to[tilt] = this->SampleColumn(site, tilt, direction, about);
+        none = to[tilt].state == VoxelState::NoEcho && to[tilt].fade == 1.0F;
+        if (!none && to[tilt].state != VoxelState::NotScanned)
+        {
+          return;
+        }
+      }
+      if (none && about.endTilt > about.firstTilt && about.endTilt != tilt)
+      {
+        return; // above a tilt that did not scan it
+      }
+      about.firstTilt = none && about.endTilt == about.firstTilt ? tilt : about.firstTilt;
+      about.endTilt = none ? tilt + 1 : about.endTilt;
+    }
+    about.quiet = true;
+    const auto sample = [&](std::size_t tilt)
+    {
+      if (known[tilt] == QuietZones::Tilt::NoEcho)
+      {
+        to[tilt] = this->SampleColumn(site, tilt, direction, about);
+      }
+    };
+    if (about.firstTilt < about.endTilt)
+    {
+      const std::size_t last = about.endTilt - 1;
+      sample(about.firstTilt);
+      site.levels.AreBelow(site.edges[last].tangent, direction.halfTangent) ? void() : sample(last);
     }
   }
 
   TiltSample SampleColumn(const MergeSite& site, std::size_t tilt, const ColumnDirection& direction,
     const Surroundings& about) const
   {
+    if (about.known != nullptr && about.known[tilt] == QuietZones::Tilt::NotScanned)
+    {
+      return {};
+    }
     const QuietTilt& quiet = site.quiet[tilt];
     const ColumnMotion* motion =
       about.top > 0 && options.motion != nullptr ? &about.motion : nullptr;
@@ -199,8 +260,10 @@ private:
     {
       return SampleTilt(site.tilts, tilt, direction, site.context, motion);
     }
-    const std::optional<TiltSample> known = SampleQuiet(quiet, direction, site.context);
-    // What lower tilts hold may still come to a look alone, which moves at its height.
+    // What lower tilts hold may come to a look alone, which moves at its height.
+    const bool asked = quiet.alone && about.top >= site.lowestQuiet;
+    const std::optional<TiltSample> known =
+      asked ? std::nullopt : SampleQuiet(quiet, direction, site.context);
     return known ? *known : SampleTilt(site.tilts, tilt, direction, site.context, motion, true);
   }
 
@@ -208,6 +271,7 @@ private:
   {
     column.Clear();
     order.clear();
+    bool echo = false;
     for (const Present& each : present)
     {
       if (place >= each.begin && place < each.end)
@@ -218,23 +282,36 @@ private:
         if (halfTangent <= site.reach)
         {
           order.push_back({halfTangent, each.site});
+          echo = echo || !surroundings[each.site][static_cast<std::size_t>(place)].quiet;
         }
       }
     }
-    std::sort(order.begin(), order.end());
+    if (echo) // else it decides nothing in what order and how much they count
+    {
+      std::sort(order.begin(), order.end());
+    }
     for (const auto& [halfTangent, number] : order)
     {
       const MergeSite& site = sites[number];
+      const Surroundings& about = surroundings[number][static_cast<std::size_t>(place)];
       SiteColumn seen;
       seen.site = site.number;
       seen.halfTangent = halfTangent;
-      seen.weight = this->WeightAt(site, halfTangent);
+      seen.weight = echo ? this->WeightAt(site, halfTangent) : 1.0F;
       seen.levels = &site.levels;
       seen.edges = &site.edges;
       seen.samples = samples[number].data() + static_cast<std::size_t>(place) * site.tilts.size();
       seen.layers = this->FindLayers(number, x, y, place) ? layers.data() : nullptr;
-      column.Add(seen);
+      if (about.quiet)
+      {
+        column.AddQuiet(seen, about.firstTilt, about.endTilt);
+      }
+      else
+      {
+        column.Add(seen);
+      }
     }
+    anyEcho = anyEcho || echo;
     column.Finish(volume.fill);
     if (options.fillColumns)
     {
@@ -284,7 +361,6 @@ private:
   // A strip that no radar sees.
   void KeepNothing()
   {
-    values.SetAll(volume.fill);
     states.SetAll(VoxelState::NotScanned);
     ages.SetAll(0.0F);
     weights.SetAll(0.0F);
@@ -302,7 +378,8 @@ private:
     for (auto level = static_cast<std::size_t>(block.begin[2]);
          level < static_cast<std::size_t>(block.end[2]); ++level, at += plane)
     {
-      values.Write(level, count, volume.values.data() + at);
+      float* to = volume.values.data() + at;
+      anyEcho ? values.Write(level, count, to) : std::fill(to, to + count, volume.fill);
       states.Write(level, count, volume.states.data() + at);
       if (ancillary)
       {
@@ -326,9 +403,10 @@ private:
   Strip<float> weights;
   Strip<std::uint8_t> radars;
   Strip<std::uint8_t> nearestSites;
-  std::vector<std::vector<TiltSample>> samples; // of each site: tilts within columns
+  std::vector<std::vector<TiltSample>> samples; // of each site seen: tilts within columns
   std::vector<std::array<Surroundings, stripWidth>> surroundings; // of each site
   std::vector<Present> present;
+  bool anyEcho = false;                             // there may be some in the strip
   std::vector<std::pair<float, std::size_t>> order; // distance and site
   std::vector<EchoLayers::Changes> layers;          // of the site that is added, by gap
 };

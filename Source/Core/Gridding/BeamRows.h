@@ -8,10 +8,12 @@
 #include "nexrad/Gridding/BeamSampling.h"
 #include "nexrad/Gridding/BeamTilts.h"
 #include "nexrad/Gridding/EchoMask.h"
+#include "nexrad/Gridding/QuietTilts.h"
 #include "nexrad/Gridding/SiteLayers.h"
 #include "nexrad/Motion/MotionField.h"
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace nexrad
@@ -21,7 +23,8 @@ namespace nexrad
 struct MergeSite
 {
   int number = 0; ///< among the radars of the merge, by which ancillary arrays name it
-  const SiteGeometry* geometry;
+  Position position;
+  const SiteGeometry* geometry = nullptr; ///< over the block
   SiteLevels levels;
   std::vector<BeamTilt> tilts;  ///< never empty
   std::vector<TiltEdges> edges; ///< of the tilts
@@ -30,6 +33,8 @@ struct MergeSite
     0.0F; ///< tan(γ/2) of the farthest gate of any observation; columns beyond it are not scanned
   std::array<double, 2> north = {0.0, 1.0}; ///< the radar's north in the grid's directions
   std::vector<QuietTilt> quiet;             ///< of the tilts
+  std::uint8_t lowestQuiet = 0;             ///< the lowest QuietTilt::elevation
+  QuietZones zones;                         ///< none where a radar's weight may be 0
   SiteLayers layers;                        ///< none unless they are followed
   EchoMask mask;                            ///< where echo is, or may move from or to
 };

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Gridding/BeamSampling.h"
 
+#include "nexrad/Gridding/SweepPlace.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace nexrad
 {
@@ -97,65 +100,6 @@ void Decide(const Tally& about, const ValueRule& rule, Observed& observed)
   {
     observed.state = about.StateOfNothing();
   }
-}
-
-// An entry of a sweep and how far a direction lies on the way to the next; entry −1: no ray there.
-struct RayPlace
-{
-  int entry;
-  float share;
-};
-
-inline RayPlace FindRays(const BeamSweep& sweep, float azimuth)
-{
-  int entry = sweep.firstEntries[static_cast<std::size_t>(azimuth * BeamSweep::BinsPerDegree)];
-  while (sweep.azimuths[static_cast<std::size_t>(entry) + 1] <= azimuth)
-  {
-    ++entry;
-  }
-  const auto at = static_cast<std::size_t>(entry);
-  const float from = azimuth - sweep.azimuths[at];
-  if (sweep.inverseGaps[at] > 0.0F)
-  {
-    return {entry, from * sweep.inverseGaps[at]};
-  }
-  if (from <= sweep.halfWidth)
-  {
-    return {entry, 0.0F};
-  }
-  return sweep.azimuths[at + 1] - azimuth <= sweep.halfWidth ? RayPlace{entry, 1.0F}
-                                                             : RayPlace{-1, 0.0F};
-}
-
-// s from the time of the merge at which a sweep, begun at `begin`, passed there.
-inline float TimeOf(const BeamSweep& sweep, float begin, const RayPlace& rays)
-{
-  const auto entry = static_cast<std::size_t>(rays.entry);
-  return begin + sweep.times[entry] + rays.share * (sweep.times[entry + 1] - sweep.times[entry]);
-}
-
-// Elevation of the nearer of two rays, degrees.
-inline float ElevationOf(const BeamSweep& sweep, const RayPlace& rays)
-{
-  return sweep
-    .elevations[static_cast<std::size_t>(rays.share < 0.5F ? rays.entry : rays.entry + 1)];
-}
-
-// Where a sweep passes over a column: the slant range, from the triangle of the antenna, the point
-// and the centre of the earth (Formulas G7).
-inline float RangeOver(const BeamSweep& sweep, const ColumnDirection& column, float radius)
-{
-  const float t = column.halfTangent;
-  return radius * 2.0F * t / (sweep.cosine * (1.0F - t * t) - 2.0F * sweep.sine * t);
-}
-
-// Beyond the last gate nothing was measured, but above the weather there is nothing either (G4).
-inline VoxelState BeyondReach(
-  const BeamSweep& sweep, const ColumnDirection& column, const SamplingContext& context)
-{
-  const float t = column.halfTangent;
-  const float height = (sweep.sine / sweep.cosine + t) * 2.0F * t / (1.0F + t * t);
-  return height > context.ceiling ? VoxelState::NoEcho : VoxelState::NotScanned;
 }
 
 inline void AddGate(
@@ -372,12 +316,6 @@ inline void Observe(const TiltObservation& observation, const ColumnDirection& c
   {
     observed = ObserveBetween(observation, column, context);
   }
-}
-
-// 1 up to two thirds of the largest gap, then down to 0 at the gap (Formulas A6).
-inline float FadeOf(float age, float gap)
-{
-  return std::clamp(3.0F * (1.0F - age / gap), 0.0F, 1.0F);
 }
 
 // Formulas A1, for values on either side of which one may be no echo.
@@ -702,73 +640,7 @@ TiltSample SampleOf(const Observed& observed, float gap)
   return sample;
 }
 
-// What rounding may change of the place at which gates begin and end, as a part of it.
-constexpr float tangentMargin = 1e-5F;
-
 } // namespace
-
-QuietTilt FindQuiet(const BeamTilt& tilt, const SamplingContext& context)
-{
-  QuietTilt quiet;
-  float lowest = tilt.elevation;
-  for (const std::vector<TiltObservation>* side : {&tilt.before, &tilt.after})
-  {
-    for (const TiltObservation& observation : *side)
-    {
-      lowest = std::min(lowest, observation.lower->elevation);
-    }
-  }
-  quiet.elevation = ElevationCode(lowest);
-  if (context.ages || tilt.before.empty() || tilt.after.empty())
-  {
-    return quiet;
-  }
-  const TiltObservation& before = tilt.before.front();
-  const TiltObservation& after = tilt.after.front();
-  if (!before.IsWhole(false) || !after.IsWhole(true) ||
-      FadeOf(-before.Begin(), context.gap) < 1.0F || FadeOf(after.End(), context.gap) < 1.0F)
-  {
-    return quiet;
-  }
-  quiet.before = before.lower;
-  quiet.after = after.lower;
-  const auto tangent = [&context](const BeamSweep& sweep, float range)
-  {
-    const float ground =
-      std::atan2(range * sweep.cosine, context.effectiveRadius + range * sweep.sine);
-    return std::tan(0.5F * ground);
-  };
-  const auto first = [&tangent](const BeamSweep& sweep)
-  { return tangent(sweep, std::max(0.0F, sweep.firstGate - 0.5F / sweep.gatesPerMetre)); };
-  quiet.nearest = (1.0F + tangentMargin) * std::max(first(*quiet.before), first(*quiet.after));
-  quiet.farthest = (1.0F - tangentMargin) * std::min(tangent(*quiet.before, quiet.before->Reach()),
-                                              tangent(*quiet.after, quiet.after->Reach()));
-  return quiet;
-}
-
-std::optional<TiltSample> SampleQuiet(
-  const QuietTilt& quiet, const ColumnDirection& column, const SamplingContext& context)
-{
-  const float t = column.halfTangent;
-  const bool inside = t > quiet.nearest && t < quiet.farthest;
-  const bool nothingBeyond = t > quiet.farthest * (1.0F + 4.0F * tangentMargin) &&
-                             quiet.before != nullptr &&
-                             BeyondReach(*quiet.before, column, context) == VoxelState::NoEcho &&
-                             BeyondReach(*quiet.after, column, context) == VoxelState::NoEcho;
-  if (quiet.before == nullptr || !(inside || nothingBeyond))
-  {
-    return std::nullopt;
-  }
-  const float before = ElevationOf(*quiet.before, FindRays(*quiet.before, column.azimuth));
-  const float after = ElevationOf(*quiet.after, FindRays(*quiet.after, column.azimuth));
-  TiltSample sample;
-  sample.state = VoxelState::NoEcho;
-  sample.assumed = !inside;
-  sample.lowest = std::min(before, after);
-  sample.highest = std::max(before, after);
-  sample.fade = 1.0F;
-  return sample;
-}
 
 ColumnDirection DirectionAt(
   const ColumnDirection& column, const ColumnMotion& motion, float seconds)

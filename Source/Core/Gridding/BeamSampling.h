@@ -6,7 +6,6 @@
 #include "nexrad/Polar/GateCode.h"
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 namespace nexrad
@@ -33,26 +32,6 @@ struct SamplingContext
   bool ages = true;                ///< TiltSample::age is wanted
   float ceiling = 0.002F; ///< h/(a_e + h) of the height above which nothing can be (Formulas G4)
 };
-
-/// The sample of a tilt over columns about which no gate holds anything but no echo. It follows
-/// from one observation before and one after the time, both complete in azimuth and near enough in
-/// time to count in full.
-struct QuietTilt
-{
-  const BeamSweep* before = nullptr; ///< nullptr: unknown
-  const BeamSweep* after = nullptr;
-  float nearest = 0.0F;       ///< tan(γ/2) from which both have gates
-  float farthest = 0.0F;      ///< and to which
-  std::uint8_t elevation = 0; ///< ElevationCode of the lowest sweep of any observation
-};
-
-/// Unknown too while TiltSample::age is wanted, which differs from ray to ray.
-QuietTilt FindQuiet(const BeamTilt& tilt, const SamplingContext& context);
-
-/// SampleTilt for a column about which no sweep as high as `quiet.elevation` holds anything but no
-/// echo; empty where it must be asked.
-std::optional<TiltSample> SampleQuiet(
-  const QuietTilt& quiet, const ColumnDirection& column, const SamplingContext& context);
 
 /// Samples one of a radar's tilts over a column: bilinear in azimuth and range in the last
 /// observation at or before the time and in the first one after it, then linear in time (Formulas

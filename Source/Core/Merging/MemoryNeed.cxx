@@ -53,7 +53,7 @@ VolumeUse UseOf(const MergeOptions& options, const InputSizes& inputs, const Vol
 {
   const bool oneTime = options.time || (options.begin && options.begin == options.end) ||
                        (inputs.files == 1 && !options.step && !options.begin && !options.end);
-  return {oneTime ? 0 : use.others, use.bytesAVoxel};
+  return {oneTime ? 0 : use.others, use.bytesAVoxel, use.rows};
 }
 
 std::size_t VoxelBytes(
@@ -66,6 +66,10 @@ std::size_t VoxelBytes(
   for (const int size : dimensions)
   {
     voxels *= static_cast<double>(size);
+  }
+  if (use.rows > 0 && use.rows < dimensions[1])
+  {
+    voxels *= static_cast<double>(use.rows) / static_cast<double>(dimensions[1]);
   }
   constexpr double most = 1e18; // whatever the dimensions, the sum of the needs can be counted
   return static_cast<std::size_t>(std::min(voxels, most));
@@ -228,7 +232,7 @@ MemoryNeed RequireMemory(const MergeOptions& options, const InputSizes& inputs, 
   MemoryNeed need = NeedOf(options, grid.dimensions, inputs, threads, use);
   if (options.method == MergeMethod::Beam)
   {
-    need.geometry = GeometryBytes(grid, radars);
+    need.geometry = GeometryBytes(grid, radars, use.rows);
   }
   return Require(options, need, need.Total(), UseOf(options, inputs, use));
 }

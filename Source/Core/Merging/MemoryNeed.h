@@ -20,6 +20,7 @@ struct VolumeUse
 {
   std::size_t others = 0;      ///< merged volumes of other times that are there at the same time
   std::size_t bytesAVoxel = 0; ///< that are made of one volume, of all its moments together
+  int rows = 0;                ///< of the grid that are there at a time; 0: all
 };
 
 /// The most memory that a run of merges has at a time, by what it is for, bytes. An estimate from

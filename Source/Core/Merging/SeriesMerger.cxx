@@ -490,6 +490,15 @@ std::optional<GriddedVolume> SeriesMerger::Merge(
   return MergeMoments(*volumes, options.Moments(), request, progress, run, std::move(memory));
 }
 
+bool SeriesMerger::MergeInBands(Time time, int rows, const TakeBand& take, const Progress& progress)
+{
+  request.time = time;
+  constexpr double decoding = 0.5; // of the work
+  const auto volumes = this->VolumesAbout(time, {}, ShareOf(progress, 0.0, decoding));
+  return volumes && MergeBands(*volumes, options.Moments(), request, rows, take,
+                      ShareOf(progress, decoding, 1.0), run);
+}
+
 bool SeriesMerger::MergeEachRadar(
   Time time, const std::function<void(GriddedVolume)>& take, const Progress& progress)
 {

@@ -116,6 +116,10 @@ public:
   std::optional<GriddedVolume> Merge(Time time, const Progress& progress = {},
     const std::optional<VoxelBlock>& block = {}, GriddedVolume memory = {});
 
+  /// The same as Merge gives, in bands of rows of the grid (MergeBands). False when `progress`
+  /// asked to stop. Throws Error as Merge does.
+  bool MergeInBands(Time time, int rows, const TakeBand& take, const Progress& progress = {});
+
   /// The volume of each radar alone at a time, in the order of Sites, given to `take`: what a merge
   /// of its files alone makes on this grid. A radar without any in reach has a volume in which no
   /// voxel is scanned. Files are decoded once for all of them. False when `progress` asked to stop.

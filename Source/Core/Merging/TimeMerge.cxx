@@ -70,6 +70,16 @@ std::vector<ReadyVolume> OfMoment(const std::vector<ReadyVolume>& volumes, Momen
   return own;
 }
 
+BeamVolumes BeamVolumesOf(const std::vector<ReadyVolume>& volumes)
+{
+  BeamVolumes ready;
+  for (const ReadyVolume& volume : volumes)
+  {
+    ready.push_back(volume.beam);
+  }
+  return ready;
+}
+
 void CheckMotion(const Velocity& motion)
 {
   // Also refuses what is no number.
@@ -163,11 +173,7 @@ std::optional<GriddedVolume> MergeVolumes(const std::vector<ReadyVolume>& volume
   {
     return MergeByThesis(volumes, request, progress);
   }
-  BeamVolumes ready;
-  for (const ReadyVolume& volume : volumes)
-  {
-    ready.push_back(volume.beam);
-  }
+  const BeamVolumes ready = BeamVolumesOf(volumes);
   BeamMerger& merger = run.MergerFor(request);
   const std::shared_ptr<const MotionField> motion = run.MotionFor(ready, request);
   return merger.Merge(ready, request.time, motion.get(), request.loop, progress, std::move(memory));
@@ -192,6 +198,63 @@ std::optional<GriddedVolume> MergeMoments(const std::vector<ReadyVolume>& volume
     merged.push_back(std::move(*one));
   }
   return JoinMoments(std::move(merged));
+}
+
+namespace
+{
+
+// What merges of one moment at one time have in common, whatever the block.
+struct PlannedMoment
+{
+  std::shared_ptr<const MotionField> motion; // of the plan
+  BeamMergePlan plan;
+};
+
+std::vector<PlannedMoment> PlanMoments(const std::vector<ReadyVolume>& volumes,
+  const std::vector<MomentName>& moments, const MergeRequest& request, MergeRun& run)
+{
+  std::vector<PlannedMoment> planned;
+  for (const MomentName moment : moments)
+  {
+    const BeamVolumes ready = BeamVolumesOf(OfMoment(volumes, moment));
+    BeamMerger& merger = run.MergerFor(request);
+    const auto motion = run.MotionFor(ready, request);
+    planned.push_back({motion, merger.Plan(ready, request.time, motion.get())});
+  }
+  return planned;
+}
+
+} // namespace
+
+bool MergeBands(const std::vector<ReadyVolume>& volumes, const std::vector<MomentName>& moments,
+  MergeRequest request, int rows, const TakeBand& take, const Progress& progress, MergeRun& run)
+{
+  std::vector<PlannedMoment> planned = PlanMoments(volumes, moments, request, run);
+  const int height = request.grid.dimensions[1];
+  GriddedVolume memory;
+  for (int row = 0; row < height; row += rows)
+  {
+    VoxelBlock band = VoxelBlock::Of(request.grid);
+    band.begin[1] = row;
+    band.end[1] = std::min(row + rows, height);
+    request.block = band;
+    BeamMerger& merger = run.MergerFor(request);
+    std::vector<GriddedVolume> memories = SplitMoments(std::move(memory));
+    memories.resize(moments.size());
+    std::vector<GriddedVolume> merged;
+    for (std::size_t i = 0; i < moments.size(); ++i)
+    {
+      merged.push_back(
+        merger.Merge(planned[i].plan, request.loop, {}, std::move(memories[i])).value());
+      merged.back().moment = moments[i]; // which a merge of no volumes does not know
+    }
+    memory = take(JoinMoments(std::move(merged)));
+    if (progress && !progress(static_cast<double>(band.end[1]) / height))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 } // namespace nexrad

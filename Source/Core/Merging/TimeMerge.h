@@ -9,6 +9,7 @@
 #include "nexrad/Series/Catalogue.h"
 #include "nexrad/System/Progress.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -81,5 +82,14 @@ std::optional<GriddedVolume> MergeVolumes(const std::vector<ReadyVolume>& volume
 std::optional<GriddedVolume> MergeMoments(const std::vector<ReadyVolume>& volumes,
   const std::vector<MomentName>& moments, const MergeRequest& request, const Progress& progress,
   MergeRun& run, GriddedVolume memory = {});
+
+/// Takes rows of a merged volume, and returns what is no longer needed of it: its arrays become
+/// those of the next rows.
+using TakeBand = std::function<GriddedVolume(GriddedVolume band)>;
+
+/// The same by the method beam in bands of `rows` rows of the grid, from the first row to the last,
+/// so that nobody needs to hold the whole volume. False when `progress` asked to stop.
+bool MergeBands(const std::vector<ReadyVolume>& volumes, const std::vector<MomentName>& moments,
+  MergeRequest request, int rows, const TakeBand& take, const Progress& progress, MergeRun& run);
 
 } // namespace nexrad

@@ -102,4 +102,32 @@ void RunLoop(const RangeLoop& loop, int count, const std::function<void(int begi
   }
 }
 
+void RunEach(
+  const RangeLoop& loop, std::size_t count, const std::function<void(std::size_t number)>& work)
+{
+  std::vector<std::exception_ptr> problems(count);
+  RunLoop(loop, static_cast<int>(count),
+    [&](int begin, int end)
+    {
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      {
+        try
+        {
+          work(i);
+        }
+        catch (...)
+        {
+          problems[i] = std::current_exception();
+        }
+      }
+    });
+  for (const std::exception_ptr& problem : problems)
+  {
+    if (problem)
+    {
+      std::rethrow_exception(problem);
+    }
+  }
+}
+
 } // namespace nexrad

@@ -46,4 +46,9 @@ RangeLoop ThreadLoop(unsigned threads);
 /// Runs `work` over [0, count) through a loop, or on this thread when the loop is empty.
 void RunLoop(const RangeLoop& loop, int count, const std::function<void(int begin, int end)>& work);
 
+/// Runs `work` for each number below `count`, as RunLoop does; it may throw. When all is done, what
+/// the lowest of the numbers threw is thrown here.
+void RunEach(
+  const RangeLoop& loop, std::size_t count, const std::function<void(std::size_t number)>& work);
+
 } // namespace nexrad

@@ -12,6 +12,7 @@ void vtkNexradReadVolumeFile(const vtkNexradVolumeFile& file, vtkImageData* imag
   options.leaveOut = file.LeaveOut;
   options.moments = file.Moments;
   options.loop = vtkNexradRangeLoop();
+  options.block = file.Block;
   if (!nexrad::HasNxvCodes(file.FileName, options, !file.Codes))
   {
     vtkNexradVolumeToImage(nexrad::ReadNxv(file.FileName, options), image);

@@ -8,9 +8,11 @@
 
 #include "vtkNexradIOModule.h" // For export macro
 
+#include "nexrad/Grid/VoxelBlock.h"
 #include "nexrad/Model/Moment.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,10 +34,12 @@ struct vtkNexradVolumeFile
   /// Bytes that the caller makes of each voxel of the image; with the image's own they count for
   /// the limit of memory (nexrad::NxvReadOptions).
   std::size_t BytesBesides = 0;
+  /// The part of the grid to read; empty: all. The image is one of the part alone.
+  std::optional<nexrad::VoxelBlock> Block = {};
 };
 
 /**
- * Fills the image with all voxels of the file, unpacked on several threads. Throws nexrad::Error as
+ * Fills the image with voxels of the file, unpacked on several threads. Throws nexrad::Error as
  * nexrad::ReadNxv does.
  */
 VTKNEXRADIO_EXPORT void vtkNexradReadVolumeFile(

@@ -110,10 +110,55 @@ std::vector<std::string> GoodFiles()
     WriteNxv(folder.Path() / "a.nxv", volume, options);
     files.push_back(FileContent(folder.Path() / "a.nxv"));
   }
+  NxvBandWriter bricks(folder.Path() / "a.nxv", volume.grid);
+  bricks.Add(volume);
+  bricks.Commit();
+  files.push_back(FileContent(folder.Path() / "a.nxv"));
   return files;
 }
 
 } // namespace
+
+// An index, and bricks, that contradict the grid or each other.
+TEST(NxvDamage, BricksMustFitTheGrid)
+{
+  const Damaged file;
+  NxvHeader header = SmallHeader(); // 2 x 2 x 1 voxels: one brick
+  header.arrays[0].type = NxvType::UInt8;
+  header.arrays[0].storage = NxvStorage::Bricks;
+  header.arrays[0].brick = {64, 64, 8};
+  const auto errorOf = [&](const std::string& index, const std::string& bricks)
+  {
+    header.arrays[0].indexLength = index.size();
+    return file.ErrorOf(FileOf(header, {index + bricks}));
+  };
+  const std::string codes = Deflated(std::string("\x50\x50\x50\x51", 4));
+  const auto entry = [](std::size_t length)
+  { return std::string(1, static_cast<char>(length)) + std::string(7, '\0'); };
+  EXPECT_EQ(errorOf(Deflated(entry(codes.size())), codes), "");
+  EXPECT_EQ(errorOf(Deflated(entry(0)), ""), ""); // all voxels have code 0
+  EXPECT_NE(errorOf(Deflated(entry(codes.size() + 1)), codes).find("longer than its payload"),
+    std::string::npos);
+  EXPECT_NE(
+    errorOf(Deflated(entry(codes.size() - 1)), codes).find("bytes of bricks"), std::string::npos);
+  EXPECT_NE(errorOf(Deflated(entry(0) + entry(0)), ""), "");   // of two bricks
+  EXPECT_NE(errorOf(Deflated(entry(4).substr(1)), codes), ""); // of less than one
+  EXPECT_NE(errorOf(Deflated(entry(12)), Deflated("abc")), "");
+  for (const std::array<int, 3>& size :
+    {std::array<int, 3>{0, 64, 64}, {7, 8, 9}, {-1, 64, 64}, {4096, 4096, 2}})
+  {
+    header.arrays[0].brick = size;
+    EXPECT_NE(errorOf(Deflated(entry(0)), "").find("must be 2^9 to 2^24"), std::string::npos);
+  }
+  header.arrays[0].brick = {64, 64, 8};
+  header.arrays[0].indexLength = 1000;
+  EXPECT_NE(
+    file.ErrorOf(FileOf(header, {"abc"})).find("an index of 1000 bytes"), std::string::npos);
+  header.volume.grid.dimensions = {30000, 30000, 2}; // whose index is longer than it can be
+  header.arrays[0].indexLength = 3;
+  EXPECT_NE(
+    file.ErrorOf(FileOf(header, {"abc"})).find("cannot be decompressed"), std::string::npos);
+}
 
 TEST(NxvDamage, EveryTruncationIsAnError)
 {

@@ -152,6 +152,34 @@ TEST(MergeBlocks, PiecesOfAnyNumberMakeTheWhole)
   ExpectBlocksOfTheWhole(request, OddBlocks());
 }
 
+// A column that no echo is near is not looked up tilt by tilt, unless the ages of its rays are
+// wanted. Before, within and after the volumes, where tilts lack one side or are in progress.
+TEST(MergeBlocks, ColumnsWithoutEchoAreThoseOfATiltByTiltMerge)
+{
+  for (const Duration after : {Duration(-500s), Duration(-250s), Duration(-130s), Duration(-7s),
+         Duration(2s), Duration(33s), Duration(150s), Duration(11min)})
+  {
+    MergeRequest request = Request();
+    request.time = noon + after;
+    for (const OverlapStrategy strategy :
+      {OverlapStrategy::Distance, OverlapStrategy::Maximum, OverlapStrategy::Nearest})
+    {
+      for (const double length : {100'000.0, 8'000.0}) // of the second, weights become 0
+      {
+        request.beam.strategy = strategy;
+        request.beam.overlapLength = length;
+        request.beam.ancillary = true;
+        const std::vector<const PolarVolume*> volumes = PointersTo(ThreeRadars());
+        const GriddedVolume expected = *testing::MergeDirectly(volumes, request);
+        request.beam.ancillary = false;
+        const GriddedVolume merged = *testing::MergeDirectly(volumes, request);
+        EXPECT_TRUE(merged.values == expected.values) << after.count();
+        EXPECT_TRUE(merged.states == expected.states) << after.count();
+      }
+    }
+  }
+}
+
 // The first volumes begin five minutes before noon, the last end two minutes after it.
 TEST(MergeBlocks, InTheFirstAndTheLastMinutes)
 {
@@ -328,6 +356,33 @@ TEST_F(RowOfRadars, ABlockIsMadeFromTheFilesOfTheRadarsThatReachIt)
     const GriddedVolume empty = Make(*merger, nothing, 0);
     ExpectSame(empty, TakePart(whole, nothing));
     EXPECT_EQ(std::count(empty.states.begin(), empty.states.end(), VoxelState::NotScanned), 294);
+  }
+}
+
+TEST_F(RowOfRadars, BandsAreMadeOfTheSameVolumes)
+{
+  options.furtherMoments = {MomentName::VEL};
+  for (const bool ancillary : {false, true})
+  {
+    options.beam.ancillary = ancillary;
+    const GriddedVolume whole = Make(*this->Open(false), std::nullopt, 0);
+    const auto merger = this->Open(false);
+    int row = 0;
+    const auto take = [&](GriddedVolume band)
+    {
+      VoxelBlock block = VoxelBlock::Of(whole.grid);
+      block.begin[1] = row;
+      block.end[1] = row += band.grid.dimensions[1];
+      const GriddedVolume expected = TakePart(whole, block);
+      ExpectSame(band, expected);
+      ExpectSame(band.further.at(0), expected.further.at(0));
+      return band;
+    };
+    EXPECT_TRUE(merger->MergeInBands(noon, 8, take));
+    EXPECT_EQ(row, 21);
+    EXPECT_FALSE(merger->MergeInBands(
+      noon, 8, [](GriddedVolume band) { return band; },
+      [](double fraction) { return fraction < 0.6; }));
   }
 }
 

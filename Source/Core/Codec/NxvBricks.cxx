@@ -1,0 +1,435 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Codec/NxvBricks.h"
+
+#include "nexrad/System/Error.h"
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+
+namespace nexrad
+{
+
+namespace
+{
+
+using Bytes = std::vector<std::uint8_t>;
+
+constexpr std::size_t entrySize = 8; // of the index: length and value of a brick
+
+void AppendWord(std::uint32_t word, Bytes& to)
+{
+  for (unsigned shift = 0; shift < 32; shift += 8)
+  {
+    to.push_back(static_cast<std::uint8_t>(word >> shift));
+  }
+}
+
+std::uint32_t WordAt(const std::uint8_t* bytes)
+{
+  std::uint32_t word = 0;
+  for (unsigned i = 4; i-- > 0;)
+  {
+    word = word << 8 | bytes[i];
+  }
+  return word;
+}
+
+// Bricks along each axis.
+std::array<int, 3> BricksAlong(const std::array<int, 3>& dimensions, const std::array<int, 3>& size)
+{
+  std::array<int, 3> along{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    along[axis] = (dimensions[axis] - 1) / size[axis] + 1;
+  }
+  return along;
+}
+
+// The voxels of a brick, by its place among the bricks.
+VoxelBlock BrickAt(const std::array<int, 3>& place, const std::array<int, 3>& dimensions,
+  const std::array<int, 3>& size)
+{
+  VoxelBlock brick;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    brick.begin[axis] = place[axis] * size[axis];
+    brick.end[axis] = std::min(brick.begin[axis] + size[axis], dimensions[axis]);
+  }
+  return brick;
+}
+
+// Calls `visit(row, first, count)` for each row of voxels of a part of a box: `first` is the index
+// in the box of the row's first voxel, `row` counts the rows.
+template <class Visit>
+void ForEachRow(const std::array<int, 3>& box, const VoxelBlock& part, const Visit& visit)
+{
+  std::size_t row = 0;
+  for (int z = part.begin[2]; z < part.end[2]; ++z)
+  {
+    for (int y = part.begin[1]; y < part.end[1]; ++y)
+    {
+      const std::size_t before = static_cast<std::size_t>(z) * static_cast<std::size_t>(box[1]) +
+                                 static_cast<std::size_t>(y);
+      visit(row++,
+        before * static_cast<std::size_t>(box[0]) + static_cast<std::size_t>(part.begin[0]),
+        static_cast<std::size_t>(part.Size(0)));
+    }
+  }
+}
+
+std::size_t VoxelsOf(const std::array<int, 3>& box)
+{
+  return static_cast<std::size_t>(box[0]) * static_cast<std::size_t>(box[1]) *
+         static_cast<std::size_t>(box[2]);
+}
+
+std::array<int, 3> SizeOf(const VoxelBlock& block)
+{
+  return {block.Size(0), block.Size(1), block.Size(2)};
+}
+
+VoxelBlock Within(const VoxelBlock& block, const VoxelBlock& outer)
+{
+  VoxelBlock relative;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    relative.begin[axis] = block.begin[axis] - outer.begin[axis];
+    relative.end[axis] = block.end[axis] - outer.begin[axis];
+  }
+  return relative;
+}
+
+VoxelBlock Common(const VoxelBlock& a, const VoxelBlock& b)
+{
+  VoxelBlock common;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    common.begin[axis] = std::max(a.begin[axis], b.begin[axis]);
+    common.end[axis] = std::min(a.end[axis], b.end[axis]);
+  }
+  return common;
+}
+
+// The part of a brick that lies in a block, from the brick to the block's array.
+void CopyCommon(const NxvVoxelBytes& each, const VoxelBlock& brick, const Bytes& bytes,
+  const VoxelBlock& block, std::uint8_t* target)
+{
+  const VoxelBlock common = Common(brick, block);
+  std::vector<std::size_t> from;
+  ForEachRow(SizeOf(brick), Within(common, brick),
+    [&from](std::size_t, std::size_t first, std::size_t) { from.push_back(first); });
+  const std::size_t voxels = brick.VoxelCount();
+  for (std::size_t plane = 0; plane < each.planes; ++plane)
+  {
+    ForEachRow(SizeOf(block), Within(common, block),
+      [&](std::size_t row, std::size_t first, std::size_t count)
+      {
+        std::memcpy(target + (plane * block.VoxelCount() + first) * each.bytes,
+          bytes.data() + (plane * voxels + from[row]) * each.bytes, count * each.bytes);
+      });
+  }
+}
+
+// Whether all voxels of a brick are alike.
+bool IsUniform(const NxvVoxelBytes& each, const Bytes& bytes)
+{
+  const std::size_t size = bytes.size() / each.planes;
+  for (std::size_t plane = 0; plane < each.planes; ++plane)
+  {
+    const std::uint8_t* first = bytes.data() + plane * size;
+    if (std::memcmp(first, first + each.bytes, size - each.bytes) != 0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+// The bytes of the first voxel, the lowest first.
+std::uint32_t FirstValue(const NxvVoxelBytes& each, const Bytes& bytes)
+{
+  std::array<std::uint8_t, 4> value{};
+  for (std::size_t plane = 0; plane < each.planes; ++plane)
+  {
+    std::copy_n(bytes.data() + plane * (bytes.size() / each.planes), each.bytes,
+      value.begin() + static_cast<std::ptrdiff_t>(plane * each.bytes));
+  }
+  return WordAt(value.data());
+}
+
+// The opposite of FirstValue, for all voxels.
+void FillUniform(const NxvVoxelBytes& each, std::uint32_t value, Bytes& bytes)
+{
+  const std::size_t size = bytes.size() / each.planes;
+  for (std::size_t i = 0; i < bytes.size(); ++i)
+  {
+    const std::size_t place = i / size * each.bytes + i % each.bytes;
+    bytes[i] = static_cast<std::uint8_t>(value >> (8 * place));
+  }
+}
+
+bool IsOfStates(const std::string& name)
+{
+  const std::string ending = "_state";
+  return name.size() > ending.size() &&
+         name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+} // namespace
+
+NxvVoxelBytes NxvVoxelBytes::Of(NxvType type)
+{
+  switch (type)
+  {
+  case NxvType::UInt16:
+    return {2, 1};
+  case NxvType::Float32:
+    return {1, sizeof(float)};
+  default:
+    return {1, 1};
+  }
+}
+
+void CopyBlock(const NxvVoxelBytes& each, const std::array<int, 3>& dimensions,
+  const VoxelBlock& block, const std::uint8_t* whole, std::uint8_t* target)
+{
+  const std::size_t voxels = VoxelsOf(dimensions);
+  for (std::size_t plane = 0; plane < each.planes; ++plane)
+  {
+    ForEachRow(dimensions, block,
+      [&](std::size_t, std::size_t first, std::size_t count)
+      {
+        std::memcpy(target, whole + (plane * voxels + first) * each.bytes, count * each.bytes);
+        target += count * each.bytes;
+      });
+  }
+}
+
+std::size_t NxvIndexBytes(const NxvArray& array, const std::array<int, 3>& dimensions)
+{
+  return VoxelsOf(BricksAlong(dimensions, array.brick)) * entrySize;
+}
+
+NxvBrickArrays::NxvBrickArrays(const GridSpecification& grid)
+  : dimensions(grid.dimensions)
+  , band(VoxelBlock::Of(grid))
+{
+  band.end[1] = 0;
+}
+
+const VoxelBlock& NxvBrickArrays::BeginBand(const RangeLoop& theLoop)
+{
+  if (band.end[1] == dimensions[1])
+  {
+    throw Error("all rows of the grid have been made");
+  }
+  loop = theLoop;
+  bricksBefore += band.end[1] > 0 ? this->BricksInBand() : 0;
+  band.begin[1] = band.end[1];
+  band.end[1] = std::min(band.begin[1] + NxvBrickSize[1], dimensions[1]);
+  return band;
+}
+
+std::size_t NxvBrickArrays::BricksInBand() const
+{
+  return VoxelsOf(BricksAlong(SizeOf(band), NxvBrickSize));
+}
+
+// In the voxels of the band. Bricks that lie one above the other follow each other.
+VoxelBlock NxvBrickArrays::BrickInBand(std::size_t number) const
+{
+  const auto layers = static_cast<std::size_t>(BricksAlong(dimensions, NxvBrickSize)[2]);
+  const std::array<int, 3> place = {
+    static_cast<int>(number / layers), 0, static_cast<int>(number % layers)};
+  return BrickAt(place, SizeOf(band), NxvBrickSize);
+}
+
+NxvBrickArrays::Growing& NxvBrickArrays::Find(const NxvArray& array)
+{
+  const auto found = std::find_if(arrays.begin(), arrays.end(),
+    [&array](const Growing& each) { return each.array.name == array.name; });
+  if (found != arrays.end())
+  {
+    return *found;
+  }
+  arrays.push_back({array, {}, {}});
+  Growing& added = arrays.back();
+  added.array.storage = NxvStorage::Bricks;
+  added.array.brick = NxvBrickSize;
+  const Brick missing{{}, IsOfStates(array.name) ? NxvStateAsCode : 0U};
+  for (std::size_t i = 0; i < bricksBefore; ++i)
+  {
+    Append(missing, added);
+  }
+  return added;
+}
+
+void NxvBrickArrays::Append(const Brick& brick, Growing& to)
+{
+  AppendWord(static_cast<std::uint32_t>(brick.stream.size()), to.index);
+  AppendWord(brick.value, to.index);
+  to.bricks.insert(to.bricks.end(), brick.stream.begin(), brick.stream.end());
+}
+
+void NxvBrickArrays::Add(const NxvArray& array, DeflateSearch search, const ByteSource& source)
+{
+  const NxvVoxelBytes each = NxvVoxelBytes::Of(array.type);
+  const std::array<int, 3> size = SizeOf(band);
+  std::vector<Brick> bricks(this->BricksInBand());
+  RunEach(loop, bricks.size(),
+    [&](std::size_t number)
+    {
+      const VoxelBlock block = this->BrickInBand(number);
+      Bytes bytes(block.VoxelCount() * each.planes * each.bytes);
+      std::uint8_t* to = bytes.data();
+      for (std::size_t plane = 0; plane < each.planes; ++plane)
+      {
+        ForEachRow(size, block,
+          [&](std::size_t, std::size_t first, std::size_t count)
+          {
+            source((plane * VoxelsOf(size) + first) * each.bytes, count * each.bytes, to);
+            to += count * each.bytes;
+          });
+      }
+      Brick& brick = bricks[number];
+      brick.value = FirstValue(each, bytes);
+      if (!IsUniform(each, bytes))
+      {
+        brick.stream = DeflateBytes(bytes.data(), bytes.size(), search);
+      }
+    });
+  Growing& growing = this->Find(array);
+  for (const Brick& brick : bricks)
+  {
+    Append(brick, growing);
+  }
+}
+
+void NxvBrickArrays::EndBand()
+{
+  const std::size_t all = bricksBefore + this->BricksInBand();
+  for (Growing& each : arrays)
+  {
+    const Brick missing{{}, IsOfStates(each.array.name) ? NxvStateAsCode : 0U};
+    while (each.index.size() < all * entrySize)
+    {
+      Append(missing, each);
+    }
+  }
+}
+
+std::vector<NxvArray> NxvBrickArrays::Finish()
+{
+  std::vector<NxvArray> finished;
+  for (Growing& each : arrays)
+  {
+    each.index = DeflateBytes(each.index.data(), each.index.size());
+    each.array.indexLength = each.index.size();
+    each.array.length = each.index.size() + each.bricks.size();
+    each.array.crc32 =
+      Crc32(each.bricks.data(), each.bricks.size(), Crc32(each.index.data(), each.index.size()));
+    finished.push_back(each.array);
+  }
+  return finished;
+}
+
+const Bytes& NxvBrickArrays::IndexOf(std::size_t number) const
+{
+  return arrays[number].index;
+}
+
+const Bytes& NxvBrickArrays::BricksOf(std::size_t number) const
+{
+  return arrays[number].bricks;
+}
+
+namespace
+{
+
+// A brick of a file that a block has voxels of.
+struct StoredBrick
+{
+  VoxelBlock voxels;
+  std::uint64_t offset = 0; // in the payload
+  std::uint32_t length = 0;
+  std::uint32_t value = 0;
+};
+
+bool Touches(const VoxelBlock& a, const VoxelBlock& b)
+{
+  return Common(a, b).VoxelCount() > 0;
+}
+
+// Those of a block, in the order of the file.
+std::vector<StoredBrick> FindBricks(const NxvArray& array, const std::array<int, 3>& dimensions,
+  const VoxelBlock& block, const Bytes& index)
+{
+  const std::array<int, 3> along = BricksAlong(dimensions, array.brick);
+  std::vector<StoredBrick> found;
+  StoredBrick brick;
+  brick.offset = array.indexLength;
+  const std::uint8_t* entry = index.data();
+  std::array<int, 3> place{};
+  for (place[1] = 0; place[1] < along[1]; ++place[1])
+  {
+    for (place[0] = 0; place[0] < along[0]; ++place[0])
+    {
+      for (place[2] = 0; place[2] < along[2]; ++place[2], entry += entrySize)
+      {
+        brick.voxels = BrickAt(place, dimensions, array.brick);
+        brick.length = WordAt(entry);
+        brick.value = WordAt(entry + 4);
+        if (brick.length > array.length - brick.offset)
+        {
+          throw Error("its index has bricks that are longer than its payload");
+        }
+        if (Touches(brick.voxels, block))
+        {
+          found.push_back(brick);
+        }
+        brick.offset += brick.length;
+      }
+    }
+  }
+  if (brick.offset != array.length)
+  {
+    throw Error("its index has " + std::to_string(brick.offset) + " bytes of bricks, its payload " +
+                std::to_string(array.length));
+  }
+  return found;
+}
+
+} // namespace
+
+void ReadBricks(const NxvArray& array, const std::array<int, 3>& dimensions,
+  const VoxelBlock& block, const PayloadReader& read, std::uint8_t* target, const RangeLoop& loop)
+{
+  const NxvVoxelBytes each = NxvVoxelBytes::Of(array.type);
+  Bytes index(NxvIndexBytes(array, dimensions));
+  const Bytes packed = read(0, array.indexLength);
+  InflateBytes(packed.data(), packed.size(), index.data(), index.size());
+  const std::vector<StoredBrick> bricks = FindBricks(array, dimensions, block, index);
+  std::vector<Bytes> streams;
+  for (const StoredBrick& brick : bricks)
+  {
+    streams.push_back(brick.length > 0 ? read(brick.offset, brick.length) : Bytes());
+  }
+  RunEach(loop, bricks.size(),
+    [&](std::size_t number)
+    {
+      const StoredBrick& brick = bricks[number];
+      Bytes bytes(brick.voxels.VoxelCount() * each.planes * each.bytes);
+      if (brick.length == 0)
+      {
+        FillUniform(each, brick.value, bytes);
+      }
+      else
+      {
+        InflateBytes(streams[number].data(), streams[number].size(), bytes.data(), bytes.size());
+      }
+      CopyCommon(each, brick.voxels, bytes, block, target);
+    });
+}
+
+} // namespace nexrad

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Codec/NxvHeader.h"
+#include "nexrad/Compression/Deflate.h"
+#include "nexrad/Grid/VoxelBlock.h"
+#include "nexrad/System/RangeLoop.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace nexrad
+{
+
+/// Voxels along x, y and z of the bricks that are written; at the upper faces of a grid they have
+/// fewer.
+constexpr std::array<int, 3> NxvBrickSize = {64, 64, 8};
+
+/// What the `<NAME>_state` array of a volume in bricks has where the code tells the state.
+constexpr std::uint8_t NxvStateAsCode = 255;
+
+/// How the bytes of an array lie when it is unpacked: a byte or more of each voxel, or the lower
+/// bytes of all voxels and then the higher bytes of all.
+struct NxvVoxelBytes
+{
+  std::size_t planes = 1; ///< times all voxels
+  std::size_t bytes = 1;  ///< of a voxel in a plane
+
+  static NxvVoxelBytes Of(NxvType type);
+};
+
+/// Copies the voxels of a block out of an array of a whole grid of these dimensions.
+void CopyBlock(const NxvVoxelBytes& each, const std::array<int, 3>& dimensions,
+  const VoxelBlock& block, const std::uint8_t* whole, std::uint8_t* target);
+
+/// The arrays of a volume whose bricks are made band after band: rows of the grid, as many as a
+/// brick has, or fewer at the end.
+class NxvBrickArrays
+{
+public:
+  explicit NxvBrickArrays(const GridSpecification& grid);
+
+  /// Begins the next band, and returns it; `loop` makes its bricks. Throws Error after the last
+  /// one.
+  const VoxelBlock& BeginBand(const RangeLoop& loop);
+  /// Adds an array of the band, of which `source` gives the bytes as NxvVoxelBytes has them. What
+  /// is said of the array must be the same in all bands.
+  void Add(const NxvArray& array, DeflateSearch search, const ByteSource& source);
+  /// Ends the band. In arrays that it did not have, but another band has, its voxels are `missing`:
+  /// NxvStateAsCode in an array of states, else 0.
+  void EndBand();
+
+  /// The arrays, with lengths and check sums; after the last band.
+  std::vector<NxvArray> Finish();
+  /// The payload of each of them is its index and its bricks.
+  const std::vector<std::uint8_t>& IndexOf(std::size_t number) const;
+  const std::vector<std::uint8_t>& BricksOf(std::size_t number) const;
+
+private:
+  struct Brick
+  {
+    std::vector<std::uint8_t> stream; // empty: all voxels have `value`
+    std::uint32_t value = 0;
+  };
+  struct Growing
+  {
+    NxvArray array;
+    std::vector<std::uint8_t> index; // 8 bytes a brick until it is finished
+    std::vector<std::uint8_t> bricks;
+  };
+
+  std::size_t BricksInBand() const;
+  VoxelBlock BrickInBand(std::size_t number) const;
+  Growing& Find(const NxvArray& array);
+  static void Append(const Brick& brick, Growing& to);
+
+  const std::array<int, 3> dimensions;
+  VoxelBlock band; // of the grid
+  RangeLoop loop;
+  std::size_t bricksBefore = 0; // the band
+  std::vector<Growing> arrays;
+};
+
+/// Reads `size` bytes of an array's payload from `offset`.
+using PayloadReader =
+  std::function<std::vector<std::uint8_t>(std::uint64_t offset, std::size_t size)>;
+
+/// Unpacks the voxels of a block of an array in bricks into `target`; bricks elsewhere are not
+/// read. Throws Error for an index or a brick that is damaged or does not fit the grid.
+void ReadBricks(const NxvArray& array, const std::array<int, 3>& dimensions,
+  const VoxelBlock& block, const PayloadReader& read, std::uint8_t* target, const RangeLoop& loop);
+
+/// Bytes of the index of an array in bricks when it is unpacked.
+std::size_t NxvIndexBytes(const NxvArray& array, const std::array<int, 3>& dimensions);
+
+} // namespace nexrad

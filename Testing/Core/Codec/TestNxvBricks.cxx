@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Volumes in bricks hold what the same volumes as a whole hold, and can be read in parts.
+#include "nexrad/Codec/NxvBricks.h"
+#include "nexrad/Codec/NxvFile.h"
+#include "nexrad/Grid/VolumeMoments.h"
+
+#include "Comparison/VolumeComparison.h"
+#include "ErrorMessage.h"
+#include "TestData.h"
+#include "Tolerance.h"
+#include "VolumeMaker.h"
+#include "VolumePart.h"
+#include "nexrad/System/Error.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <random>
+
+using namespace nexrad;
+using nexrad::testing::AddAncillary;
+using nexrad::testing::ExpectSameVolume;
+using nexrad::testing::FileContent;
+using nexrad::testing::MakeGriddedVolume;
+using nexrad::testing::MessageOf;
+using nexrad::testing::TakePart;
+using nexrad::testing::TemporaryFolder;
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+VoxelBlock RowsFrom(const GridSpecification& grid, int row)
+{
+  VoxelBlock rows = VoxelBlock::Of(grid);
+  rows.begin[1] = row;
+  rows.end[1] = std::min(row + NxvBandWriter::Rows, grid.dimensions[1]);
+  return rows;
+}
+
+void WriteBricks(
+  const fs::path& path, const GriddedVolume& volume, const NxvWriteOptions& options = {})
+{
+  NxvBandWriter writer(path, volume.grid, options);
+  for (int row = 0; row < volume.grid.dimensions[1]; row += NxvBandWriter::Rows)
+  {
+    writer.Add(TakePart(volume, RowsFrom(volume.grid, row)), ThreadLoop(2));
+  }
+  writer.Commit();
+}
+
+// Three bands of bricks, all smaller at the upper faces. Voxels are filtered in the second band
+// alone and range folded in the last alone; a corner of more than a brick is not scanned.
+GriddedVolume MakeLarge(MomentName moment = MomentName::REF)
+{
+  GriddedVolume volume = MakeGriddedVolume({150, 140, 11});
+  volume.moment = moment;
+  const auto set = [&volume](int x, int y, int z, VoxelState state)
+  {
+    const auto at = static_cast<std::size_t>(x + 150 * (y + 140 * z));
+    volume.states[at] = state;
+    volume.values[at] = volume.fill;
+  };
+  for (int z = 0; z < 8; ++z)
+  {
+    for (int y = 0; y < 64; ++y)
+    {
+      for (int x = 0; x < 70; ++x)
+      {
+        set(x, y, z, VoxelState::NotScanned);
+      }
+    }
+  }
+  set(100, 70, 9, VoxelState::Filtered);
+  set(3, 139, 0, VoxelState::RangeFolded);
+  set(149, 139, 10, VoxelState::RangeFolded);
+  return volume;
+}
+
+// What a file of the whole volume holds.
+GriddedVolume ReadWhole(
+  const fs::path& path, const GriddedVolume& volume, const NxvWriteOptions& options = {})
+{
+  WriteNxv(path, volume, options);
+  return ReadNxv(path);
+}
+
+} // namespace
+
+TEST(NxvBricks, HoldWhatAFileOfTheWholeHolds)
+{
+  const TemporaryFolder folder;
+  for (const MomentName moment : {MomentName::REF, MomentName::VEL, MomentName::ZDR})
+  {
+    for (const auto encoding : {NxvEncoding::RadarSteps, NxvEncoding::Float})
+    {
+      const GriddedVolume volume = MakeLarge(moment);
+      const NxvWriteOptions options{encoding};
+      WriteBricks(folder.Path() / "bricks.nxv", volume, options);
+      const GriddedVolume read = ReadNxv(folder.Path() / "bricks.nxv");
+      ExpectSameVolume(read, ReadWhole(folder.Path() / "whole.nxv", volume, options));
+      EXPECT_EQ(read.states, volume.states);
+    }
+  }
+}
+
+// Slow velocities, which a whole file has in a byte, take two.
+TEST(NxvBricks, VelocitiesAreRoundedAsInAByte)
+{
+  const TemporaryFolder folder;
+  GriddedVolume volume = MakeLarge(MomentName::VEL);
+  for (std::size_t i = 0; i < volume.values.size(); ++i)
+  {
+    volume.values[i] = volume.states[i] == VoxelState::Echo
+                         ? -60.0F + 0.17F * static_cast<float>(i % 700)
+                         : volume.fill;
+  }
+  WriteBricks(folder.Path() / "bricks.nxv", volume);
+  const GriddedVolume whole = ReadWhole(folder.Path() / "whole.nxv", volume);
+  EXPECT_TRUE(HasNxvCodes(folder.Path() / "whole.nxv"));
+  EXPECT_FALSE(HasNxvCodes(folder.Path() / "bricks.nxv"));
+  ExpectSameVolume(ReadNxv(folder.Path() / "bricks.nxv"), whole);
+}
+
+TEST(NxvBricks, HoldSeveralMomentsAndExactAncillaryArrays)
+{
+  const TemporaryFolder folder;
+  GriddedVolume first = MakeLarge();
+  AddAncillary(first);
+  // In the corner nothing was scanned.
+  for (std::size_t i = 0; i < first.states.size(); ++i)
+  {
+    if (first.states[i] == VoxelState::NotScanned)
+    {
+      first.ancillary.age[i] = 0.0F;
+      first.ancillary.weight[i] = 0.0F;
+      first.ancillary.radars[i] = 0;
+      first.ancillary.nearestSite[i] = AncillaryArrays::NoSite;
+    }
+  }
+  const GriddedVolume volume = JoinMoments({first, MakeLarge(MomentName::RHO)});
+  WriteBricks(folder.Path() / "bricks.nxv", volume);
+  const GriddedVolume read = ReadNxv(folder.Path() / "bricks.nxv");
+  EXPECT_EQ(read.ancillary.age, first.ancillary.age);
+  EXPECT_EQ(read.ancillary.weight, first.ancillary.weight);
+  EXPECT_EQ(read.ancillary.radars, first.ancillary.radars);
+  EXPECT_EQ(read.ancillary.nearestSite, first.ancillary.nearestSite);
+  ASSERT_EQ(read.further.size(), 1U);
+  EXPECT_EQ(read.further[0].states, volume.further[0].states);
+  NxvReadOptions second;
+  second.moments = {MomentName::RHO};
+  EXPECT_EQ(ReadNxv(folder.Path() / "bricks.nxv", second).values, read.further[0].values);
+}
+
+TEST(NxvBricks, ABoxIsThatPartOfTheWhole)
+{
+  const TemporaryFolder folder;
+  const fs::path bricks = folder.Path() / "bricks.nxv";
+  const fs::path whole = folder.Path() / "whole.nxv";
+  const GriddedVolume volume = JoinMoments({MakeLarge(), MakeLarge(MomentName::VEL)});
+  WriteBricks(bricks, volume);
+  const GriddedVolume expected = ReadWhole(whole, volume);
+  std::mt19937 random(7);
+  for (int i = 0; i < 40; ++i)
+  {
+    VoxelBlock box;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      std::uniform_int_distribution<int> place(0, volume.grid.dimensions[axis] - 1);
+      const int one = place(random);
+      const int other = place(random);
+      box.begin[axis] = std::min(one, other);
+      box.end[axis] = std::max(one, other) + 1;
+    }
+    NxvReadOptions options;
+    options.block = box;
+    const GriddedVolume part = TakePart(expected, box);
+    ExpectSameVolume(ReadNxv(bricks, options), part);
+    ExpectSameVolume(ReadNxv(whole, options), part); // cut out of all of it
+    options.moments = {MomentName::REF};
+    const std::optional<CodedVolume> codes = ReadNxvCodes(bricks, options);
+    ASSERT_TRUE(codes);
+    EXPECT_EQ(codes->volume.grid, part.grid);
+    EXPECT_TRUE(codes->furtherStates);
+  }
+  NxvReadOptions outside;
+  outside.block = VoxelBlock{{0, 0, 0}, {151, 1, 1}};
+  EXPECT_NE(MessageOf([&] { ReadNxv(bricks, outside); }).find("bricks.nxv: voxels 0 to 150"),
+    std::string::npos);
+}
+
+// A box needs no more memory and no other bytes than its bricks.
+TEST(NxvBricks, ABoxIsReadWithoutTheRest)
+{
+  const TemporaryFolder folder;
+  const fs::path path = folder.Path() / "bricks.nxv";
+  const GriddedVolume volume = MakeLarge();
+  WriteBricks(path, volume);
+  std::string content = FileContent(path);
+  content[content.size() - 20] ^= 1; // in the last brick of an array of the last band
+  std::ofstream(path, std::ios::binary) << content;
+  EXPECT_NE(MessageOf([&] { ReadNxv(path); }), "");
+  NxvReadOptions box;
+  box.block = VoxelBlock{{90, 10, 2}, {100, 60, 9}};
+  box.maximumBytes = box.block->VoxelCount() * 6;
+  EXPECT_EQ(ReadNxv(path, box).states, TakePart(volume, *box.block).states);
+  box.block->end[2] = 10;
+  EXPECT_NE(MessageOf([&] { ReadNxv(path, box); }).find("more memory"), std::string::npos);
+}
+
+// Of 16 million voxels that are alike.
+TEST(NxvBricks, WhatIsAlikeTakesNoSpace)
+{
+  const TemporaryFolder folder;
+  GridSpecification grid = MakeGriddedVolume().grid;
+  grid.dimensions = {512, 512, 64};
+  GriddedVolume band = MakeGriddedVolume();
+  band.grid = PartOf(grid, RowsFrom(grid, 0));
+  band.values.assign(band.grid.VoxelCount(), band.fill);
+  band.states.assign(band.grid.VoxelCount(), VoxelState::NotScanned);
+  NxvBandWriter writer(folder.Path() / "empty.nxv", grid);
+  for (int row = 0; row < 512; row += NxvBandWriter::Rows)
+  {
+    band.grid = PartOf(grid, RowsFrom(grid, row));
+    writer.Add(band);
+  }
+  writer.Commit();
+  EXPECT_AT_MOST(fs::file_size(folder.Path() / "empty.nxv"), 900U, "bytes of an empty volume");
+}
+
+TEST(NxvBricks, BandsMustBeThoseOfTheGrid)
+{
+  const TemporaryFolder folder;
+  const GriddedVolume volume = MakeLarge();
+  const auto errorOf = [&](std::initializer_list<int> rows)
+  {
+    return MessageOf(
+      [&]
+      {
+        NxvBandWriter writer(folder.Path() / "bricks.nxv", volume.grid);
+        for (const int row : rows)
+        {
+          writer.Add(TakePart(volume, RowsFrom(volume.grid, row)));
+        }
+      });
+  };
+  EXPECT_NE(errorOf({64}).find("bricks.nxv: bands must have 64 rows"), std::string::npos);
+  EXPECT_NE(errorOf({0, 0}), "");
+  EXPECT_NE(errorOf({0, 64, 128, 128}), "");
+  EXPECT_FALSE(fs::exists(folder.Path() / "bricks.nxv"));
+}
