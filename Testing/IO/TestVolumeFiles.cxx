@@ -33,6 +33,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -43,6 +44,7 @@ namespace
 {
 
 using nexrad::GriddedVolume;
+using nexrad::NxvBandWriter;
 using nexrad::VoxelState;
 using nexrad::testing::AnyHolds;
 using nexrad::testing::EventCounter;
@@ -361,6 +363,38 @@ TEST(VolumeFiles, ScalarsMayBeTheCodesOfTheFile)
   reader->Modified();
   reader->UpdateWholeExtent();
   EXPECT_EQ(reader->GetOutput()->GetScalarType(), VTK_FLOAT);
+}
+
+// A box of a file in bricks, as floats and as codes, is that part of the whole image.
+TEST(VolumeFiles, ABoxOfBricksIsPartOfTheWhole)
+{
+  const TemporaryFolder folder;
+  const std::string path = (folder.Path() / "volume.nxv").string();
+  const GriddedVolume volume = MakeVolume(start);
+  NxvBandWriter bricks(path, volume.grid);
+  bricks.Add(volume);
+  bricks.Commit();
+  vtkNew<vtkNexradVolumeReader> reader;
+  reader->SetFileName(path.c_str());
+  for (const bool codes : {false, true})
+  {
+    reader->SetScalarsAsCodes(codes);
+    reader->UpdateWholeExtent();
+    vtkNew<vtkImageData> whole;
+    whole->DeepCopy(reader->GetOutput());
+    ExpectSame(vtkNexradImageToVolume(whole), volume);
+    int box[6] = {1, 4, 2, 3, 0, 2};
+    reader->Modified();
+    reader->UpdateExtent(box);
+    vtkImageData* part = reader->GetOutput();
+    ASSERT_TRUE(std::equal(box, box + 6, part->GetExtent()));
+    for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i)
+    {
+      const vtkIdType same = whole->FindPoint(part->GetPoint(i));
+      EXPECT_EQ(part->GetPointData()->GetScalars()->GetTuple1(i),
+        whole->GetPointData()->GetScalars()->GetTuple1(same));
+    }
+  }
 }
 
 /// MakeVolume with ancillary arrays, whose numbers need no rounding in a file.

@@ -358,10 +358,9 @@ private:
     }
   }
 
-  // A strip that no radar sees.
+  // Ancillary arrays of a strip that no radar sees.
   void KeepNothing()
   {
-    states.SetAll(VoxelState::NotScanned);
     ages.SetAll(0.0F);
     weights.SetAll(0.0F);
     radars.SetAll(0);
@@ -380,7 +379,9 @@ private:
     {
       float* to = volume.values.data() + at;
       anyEcho ? values.Write(level, count, to) : std::fill(to, to + count, volume.fill);
-      states.Write(level, count, volume.states.data() + at);
+      VoxelState* state = volume.states.data() + at;
+      present.empty() ? std::fill(state, state + count, VoxelState::NotScanned)
+                      : states.Write(level, count, state);
       if (ancillary)
       {
         ages.Write(level, count, volume.ancillary.age.data() + at);

@@ -110,6 +110,7 @@ TEST(MemoryNeed, CountsWhatAMergerKeepsOfTheRadars)
   const GridSpecification grid = MakeGrid(request, {radar});
   EXPECT_EQ(GeometryBytes(grid, {radar, radar}), 2U * 64U * 48U * 8U);
   EXPECT_EQ(GeometryBytes(grid, {Position{-38.7, 90.0, 0.0}}), 0U); // sees nothing of it
+  EXPECT_EQ(GeometryBytes(grid, {radar, radar}, 12), 2U * 64U * 12U * 8U);
 }
 
 TEST(MemoryNeed, LargerAndMoreFilesNeedMore)

@@ -63,6 +63,36 @@ const std::vector<PolarVolume>& ThreeRadars()
   return volumes;
 }
 
+// The same radars, of which the second has echo on its two lowest tilts alone, the third lacks a
+// sector, and the lowest sweeps of the first end before the others: beyond, the second tilt is the
+// lowest that scans.
+std::vector<PolarVolume> RadarsWithGaps()
+{
+  std::vector<PolarVolume> volumes = ThreeRadars();
+  for (PolarVolume& volume : volumes)
+  {
+    for (std::size_t i = 0; i < volume.sweeps.size(); ++i)
+    {
+      PolarSweep& sweep = volume.sweeps[i];
+      if (volume.site.name == "KAAA" && i == 0)
+      {
+        sweep.gates = 60;
+      }
+      if (volume.site.name == "KBBB" && i > 1)
+      {
+        const std::size_t gates = sweep.rays.size() * sweep.gates;
+        SetGates(sweep, std::vector<float>(gates, 0.0F),
+          std::vector<GateState>(gates, GateState::BelowThreshold));
+      }
+      if (volume.site.name == "KCCC")
+      {
+        sweep.rays.resize(sweep.rays.size() - 20 - i);
+      }
+    }
+  }
+  return volumes;
+}
+
 // Odd in every direction, and wider than what the radars see.
 GridSpecification OddGrid(GridAxes axes = GridAxes::Projected)
 {
@@ -156,23 +186,23 @@ TEST(MergeBlocks, PiecesOfAnyNumberMakeTheWhole)
 // wanted. Before, within and after the volumes, where tilts lack one side or are in progress.
 TEST(MergeBlocks, ColumnsWithoutEchoAreThoseOfATiltByTiltMerge)
 {
+  const std::vector<PolarVolume> gaps = RadarsWithGaps();
   for (const Duration after : {Duration(-500s), Duration(-250s), Duration(-130s), Duration(-7s),
-         Duration(2s), Duration(33s), Duration(150s), Duration(11min)})
+         Duration(2s), Duration(33s), Duration(180s), Duration(11min)})
   {
     MergeRequest request = Request();
     request.time = noon + after;
-    for (const OverlapStrategy strategy :
-      {OverlapStrategy::Distance, OverlapStrategy::Maximum, OverlapStrategy::Nearest})
+    request.beam.beamWidth = 2.5; // so that neighbouring beams overlap
+    request.maximumGap = 6min;    // so that some rays count in part
+    for (const std::vector<PolarVolume>* radars : {&ThreeRadars(), &gaps})
     {
       for (const double length : {100'000.0, 8'000.0}) // of the second, weights become 0
       {
-        request.beam.strategy = strategy;
         request.beam.overlapLength = length;
         request.beam.ancillary = true;
-        const std::vector<const PolarVolume*> volumes = PointersTo(ThreeRadars());
-        const GriddedVolume expected = *testing::MergeDirectly(volumes, request);
+        const GriddedVolume expected = *testing::MergeDirectly(PointersTo(*radars), request);
         request.beam.ancillary = false;
-        const GriddedVolume merged = *testing::MergeDirectly(volumes, request);
+        const GriddedVolume merged = *testing::MergeDirectly(PointersTo(*radars), request);
         EXPECT_TRUE(merged.values == expected.values) << after.count();
         EXPECT_TRUE(merged.states == expected.states) << after.count();
       }
