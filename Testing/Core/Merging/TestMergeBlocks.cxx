@@ -188,7 +188,7 @@ TEST(MergeBlocks, ColumnsWithoutEchoAreThoseOfATiltByTiltMerge)
 {
   const std::vector<PolarVolume> gaps = RadarsWithGaps();
   for (const Duration after : {Duration(-500s), Duration(-250s), Duration(-130s), Duration(-7s),
-         Duration(2s), Duration(33s), Duration(180s), Duration(11min)})
+         Duration(2s), Duration(33s), Duration(180s), Duration(265s)})
   {
     MergeRequest request = Request();
     request.time = noon + after;
