@@ -61,6 +61,7 @@ bool AreInBricks(const VolumeFiles& files, const MergeOptions& options);
 /// What becomes of the merged volumes that are written: StepWriter has the one before, and what is
 /// made of it for its file; of volumes in bricks there is one band.
 VolumeUse UseOfWriting(const VolumeFiles& files, const MergeOptions& options);
+
 /// Writes the volumes of a run, each on a thread of its own while the next one is being made.
 class StepWriter
 {

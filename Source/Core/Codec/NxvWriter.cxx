@@ -177,18 +177,13 @@ void AddThesisStream(FileContent& content, const GriddedVolume& volume)
   AddFiltered(content, volume);
 }
 
-NxvArray CodedArray(const GriddedVolume& volume, const MomentCode& code)
+void AddCodes(Content& content, const GriddedVolume& volume, const MomentCode& code)
 {
   NxvArray array = MomentArray(volume);
   array.type = code.bytes == 1 ? NxvType::UInt8 : NxvType::UInt16;
   array.offset = code.offset;
   array.scale = code.scale;
-  return array;
-}
-
-void AddCodes(Content& content, const GriddedVolume& volume, const MomentCode& code)
-{
-  content.AddDeflated(CodedArray(volume, code), code.ByteCount(volume), DeflateSearch::Runs,
+  content.AddDeflated(array, code.ByteCount(volume), DeflateSearch::Runs,
     [&](std::size_t first, std::size_t count, std::uint8_t* to)
     { code.WriteBytes(volume, first, count, to); });
 }

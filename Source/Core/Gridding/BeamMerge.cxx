@@ -182,10 +182,11 @@ double VoxelSide(const GridSpecification& grid, const Position& site)
 // scanned has a weight that a float can hold.
 void FindQuietZones(double overlapLength, bool byDistance, MergeSite& site)
 {
-  site.lowestQuiet = std::min_element(site.quiet.begin(), site.quiet.end(),
-    [](const QuietTilt& a, const QuietTilt& b) {
-      return a.elevation < b.elevation;
-    })->elevation;
+  site.lowestQuiet = 255;
+  for (const QuietTilt& tilt : site.quiet)
+  {
+    site.lowestQuiet = std::min(site.lowestQuiet, tilt.elevation);
+  }
   constexpr double leastWeight = 1e-30;
   const double chord =
     2.0 * static_cast<double>(site.context.effectiveRadius * site.reach) / overlapLength;

@@ -107,58 +107,6 @@ std::optional<TiltSample> SampleQuiet(
 namespace
 {
 
-// Whether no gate of a sweep lies so far out, nor so high that nothing can be there.
-bool IsBeyond(const BeamSweep& sweep, const ColumnDirection& column, const SamplingContext& context)
-{
-  return column.halfTangent > LastTangent(sweep, context) &&
-         BeyondReach(sweep, column, context) == VoxelState::NotScanned;
-}
-
-// An observation between two sweeps tells nothing where one of them does not.
-bool IsBeyond(
-  const TiltObservation& observation, const ColumnDirection& column, const SamplingContext& context)
-{
-  return IsBeyond(*observation.lower, column, context) ||
-         (observation.upper != nullptr && IsBeyond(*observation.upper, column, context));
-}
-
-// Whether an observation saw all directions at a distance, or nothing can be there. Its rays lie
-// before or after the time of the merge.
-bool Covers(
-  const TiltObservation& observation, const ColumnDirection& column, const SamplingContext& context)
-{
-  const BeamSweep& sweep = *observation.lower;
-  return observation.upper == nullptr && sweep.IsClosed() &&
-         column.halfTangent > FirstTangent(sweep, context) &&
-         (column.halfTangent < LastTangent(sweep, context) ||
-           BeyondReach(sweep, column, context) == VoxelState::NoEcho);
-}
-
-// Calls `test` for the observations of a tilt before the time, and for those after it.
-template <class Test>
-bool AllOf(const BeamTilt& tilt, const Test& test)
-{
-  return std::all_of(tilt.before.begin(), tilt.before.end(), test) &&
-         std::all_of(tilt.after.begin(), tilt.after.end(), test);
-}
-
-QuietZones::Tilt TiltAt(const BeamTilt& tilt, const QuietTilt& quiet, const ColumnDirection& column,
-  const SamplingContext& context)
-{
-  const bool inFull = AllOf(
-    tilt, [&](const TiltObservation& observation) { return CountsInFull(observation, context); });
-  const bool covered = !AllOf(tilt,
-    [&](const TiltObservation& observation) { return !Covers(observation, column, context); });
-  if (SampleQuiet(quiet, column, context) || (inFull && covered))
-  {
-    return QuietZones::Tilt::NoEcho;
-  }
-  return AllOf(tilt, [&](const TiltObservation& observation)
-           { return IsBeyond(observation, column, context); })
-           ? QuietZones::Tilt::NotScanned
-           : QuietZones::Tilt::Unknown;
-}
-
 // tan(γ/2) at which a sweep passes the height up to which weather reaches: t of
 // (tan e + t) 2t/(1 + t²) = ceiling.
 float TangentAtCeiling(const BeamSweep& sweep, const SamplingContext& context)
@@ -168,36 +116,99 @@ float TangentAtCeiling(const BeamSweep& sweep, const SamplingContext& context)
   return (std::sqrt(slope * slope + a * context.ceiling) - slope) / a;
 }
 
-// Where something of a sweep begins or ends.
-void AddLimits(const BeamSweep& sweep, const SamplingContext& context, std::vector<float>& limits)
+// What the distance tells of a sweep: tan(γ/2) of columns at its limits.
+struct SweepLimits
 {
-  limits.push_back(FirstTangent(sweep, context));
-  limits.push_back(LastTangent(sweep, context));
-  limits.push_back(TangentAtCeiling(sweep, context));
-}
+  float first;   // gate
+  float last;    // gate
+  float ceiling; // above which nothing can be
 
-std::vector<float> LimitsOf(const std::vector<BeamTilt>& tilts, const std::vector<QuietTilt>& quiet,
-  const SamplingContext& context)
+  SweepLimits(const BeamSweep& sweep, const SamplingContext& context)
+    : first(FirstTangent(sweep, context))
+    , last(LastTangent(sweep, context))
+    , ceiling(TangentAtCeiling(sweep, context))
+  {
+  }
+
+  // Neither gates nor the height tell anything.
+  bool IsBeyond(float t) const { return t > last && t < ceiling; }
+  bool HasGatesOrNothing(float t) const { return t > first && (t < last || t > ceiling); }
+};
+
+// The same of an observation. One between two sweeps tells nothing where one of them does not.
+struct ObservationLimits
 {
-  std::vector<float> limits;
-  for (const BeamTilt& tilt : tilts)
+  std::vector<SweepLimits> sweeps; // one, or two
+  bool closed;                     // it is of one sweep, which has rays in all directions
+
+  ObservationLimits(const TiltObservation& observation, const SamplingContext& context)
+    : sweeps({SweepLimits(*observation.lower, context)})
+    , closed(observation.upper == nullptr && observation.lower->IsClosed())
+  {
+    if (observation.upper != nullptr)
+    {
+      sweeps.emplace_back(*observation.upper, context);
+    }
+  }
+
+  bool IsBeyond(float t) const
+  {
+    return std::any_of(
+      sweeps.begin(), sweeps.end(), [t](const SweepLimits& each) { return each.IsBeyond(t); });
+  }
+  // Its rays lie before or after the time of the merge, wherever the column is.
+  bool Covers(float t) const { return closed && sweeps.front().HasGatesOrNothing(t); }
+};
+
+// The same of a tilt.
+struct TiltLimits
+{
+  QuietTilt quiet;
+  std::vector<ObservationLimits> observations;
+  bool inFull = true; // all of them count in full
+
+  TiltLimits(const BeamTilt& tilt, const QuietTilt& theQuiet, const SamplingContext& context)
+    : quiet(theQuiet)
   {
     for (const std::vector<TiltObservation>* side : {&tilt.before, &tilt.after})
     {
       for (const TiltObservation& observation : *side)
       {
-        AddLimits(*observation.lower, context, limits);
-        if (observation.upper != nullptr)
-        {
-          AddLimits(*observation.upper, context, limits);
-        }
+        observations.emplace_back(observation, context);
+        inFull = inFull && CountsInFull(observation, context);
       }
     }
   }
-  for (const QuietTilt& tilt : quiet)
+
+  QuietZones::Tilt At(float t, const SamplingContext& context) const
   {
-    limits.push_back(tilt.nearest);
-    limits.push_back(tilt.farthest);
+    const auto covers = [t](const ObservationLimits& each) { return each.Covers(t); };
+    const auto isBeyond = [t](const ObservationLimits& each) { return each.IsBeyond(t); };
+    if ((inFull && std::any_of(observations.begin(), observations.end(), covers)) ||
+        SampleQuiet(quiet, {0.0F, t}, context))
+    {
+      return QuietZones::Tilt::NoEcho;
+    }
+    return std::all_of(observations.begin(), observations.end(), isBeyond)
+             ? QuietZones::Tilt::NotScanned
+             : QuietZones::Tilt::Unknown;
+  }
+};
+
+// All places at which something may change.
+std::vector<float> LimitsOf(const std::vector<TiltLimits>& tilts)
+{
+  std::vector<float> limits;
+  for (const TiltLimits& tilt : tilts)
+  {
+    limits.insert(limits.end(), {tilt.quiet.nearest, tilt.quiet.farthest});
+    for (const ObservationLimits& observation : tilt.observations)
+    {
+      for (const SweepLimits& sweep : observation.sweeps)
+      {
+        limits.insert(limits.end(), {sweep.first, sweep.last, sweep.ceiling});
+      }
+    }
   }
   std::sort(limits.begin(), limits.end());
   return limits;
@@ -209,20 +220,24 @@ QuietZones::QuietZones(const std::vector<BeamTilt>& ofRadar, const std::vector<Q
   const SamplingContext& context)
   : tiltCount(ofRadar.size())
 {
-  // About each limit lies a zone in which rounding decides: there the tilts are unknown.
-  constexpr float margin = 10.0F * tangentMargin;
+  std::vector<TiltLimits> limitsOfTilts;
+  for (std::size_t i = 0; i < tiltCount; ++i)
+  {
+    limitsOfTilts.emplace_back(ofRadar[i], quiet[i], context);
+  }
   float from = 0.0F;
   const auto add = [&](float to, bool isKnown)
   {
-    const ColumnDirection middle = {0.0F, 0.5F * (from + to)};
-    for (std::size_t i = 0; i < tiltCount; ++i)
+    for (const TiltLimits& tilt : limitsOfTilts)
     {
-      tilts.push_back(isKnown ? TiltAt(ofRadar[i], quiet[i], middle, context) : Tilt::Unknown);
+      tilts.push_back(isKnown ? tilt.At(0.5F * (from + to), context) : Tilt::Unknown);
     }
     ends.push_back(to);
     from = to;
   };
-  for (const float limit : LimitsOf(ofRadar, quiet, context))
+  // About each limit lies a zone in which rounding decides: there the tilts are unknown.
+  constexpr float margin = 10.0F * tangentMargin;
+  for (const float limit : LimitsOf(limitsOfTilts))
   {
     const float below = (1.0F - margin) * limit;
     if (below > from)
