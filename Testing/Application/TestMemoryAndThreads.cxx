@@ -147,16 +147,24 @@ TEST_F(MemoryAndThreads, TheMethodOfTheThesisTakesWhatIsEstimated)
   ExpectEstimate(options, {}, {"--method", "thesis"});
 }
 
-// The run ends before it makes its folder.
+// As a whole the volume would take 680 MB more.
+TEST_F(MemoryAndThreads, VolumesInBricksTakeWhatIsEstimated)
+{
+  MergeOptions options;
+  options.grid.dimensions = {1024, 1024, 130};
+  ExpectEstimate(options, {}, {});
+}
+
+// The run ends before it makes its folder. NetCDF needs the whole volume.
 TEST_F(MemoryAndThreads, AGridThatCannotFitIsRefused)
 {
   const fs::path output = folder->Path() / "none";
   const ProgramRun run = RunNexrad3d({"grid", folder->Path() / "files", "-o", output, "--dims",
-    "2048x2048x500", "--memory", "1GiB"});
+    "2048x2048x500", "--memory", "1GiB", "--format", "nc"});
   EXPECT_EQ(run.status, 1);
   EXPECT_EQ(run.output, "");
   EXPECT_NE(
-    run.errors.find("nexrad3d grid: a grid of 2048x2048x500 voxels needs 1"), std::string::npos)
+    run.errors.find("nexrad3d grid: a grid of 2048x2048x500 voxels needs 3"), std::string::npos)
     << run.errors;
   EXPECT_NE(run.errors.find("--memory allows 1.0 GiB; --dims "), std::string::npos) << run.errors;
   EXPECT_FALSE(fs::exists(output));
@@ -164,7 +172,8 @@ TEST_F(MemoryAndThreads, AGridThatCannotFitIsRefused)
 
 TEST_F(MemoryAndThreads, WhatIsSaidToFitFits)
 {
-  const ProgramRun refused = RunNexrad3d(Grid({"--dims", "1024x1024x256", "--memory", "700MiB"}));
+  // No more voxels than a volume that is made as a whole may have.
+  const ProgramRun refused = RunNexrad3d(Grid({"--dims", "1024x512x256", "--memory", "700MiB"}));
   ASSERT_EQ(refused.status, 1);
   const std::size_t begin = refused.errors.find("--dims ") + 7;
   const std::string dims = refused.errors.substr(begin, refused.errors.find(' ', begin) - begin);
