@@ -52,7 +52,10 @@ class HeightsOver
 {
 public:
   explicit HeightsOver(const SiteColumn& site)
-    : levels(*site.levels)
+    : radius(site.levels->radius)
+    , bottom(site.levels->bottom)
+    , perMetre(site.levels->perMetre)
+    , count(static_cast<float>(site.levels->ratio.size()))
     , t(std::max(site.halfTangent, smallestHalfTangent))
     , sine(2.0F * t / (1.0F + t * t))
   {
@@ -66,15 +69,17 @@ public:
   {
     const float ratio = this->RatioAt(tangent);
     // Nearly straight up the formula has no answer, and none is needed.
-    const float height = ratio < 0.1F ? levels.radius * ratio / (1.0F - ratio) : 1e6F;
-    const float level = std::clamp(
-      (height - levels.bottom) * levels.perMetre, 0.0F, static_cast<float>(levels.ratio.size()));
+    const float height = ratio < 0.1F ? radius * ratio / (1.0F - ratio) : 1e6F;
+    const float level = std::clamp((height - bottom) * perMetre, 0.0F, count);
     const int below = static_cast<int>(level);
     return static_cast<float>(below) < level ? below + 1 : below;
   }
 
 private:
-  const SiteLevels& levels;
+  const float radius; // copies: nothing else can change them
+  const float bottom;
+  const float perMetre;
+  const float count;
   const float t;
   const float sine;
 };
