@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Codec/NxvBricks.h"
 
+#include "nexrad/Codec/NxvInput.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
@@ -23,16 +24,6 @@ void AppendWord(std::uint32_t word, Bytes& to)
   {
     to.push_back(static_cast<std::uint8_t>(word >> shift));
   }
-}
-
-std::uint32_t WordAt(const std::uint8_t* bytes)
-{
-  std::uint32_t word = 0;
-  for (unsigned i = 4; i-- > 0;)
-  {
-    word = word << 8 | bytes[i];
-  }
-  return word;
 }
 
 // Bricks along each axis.
@@ -155,7 +146,7 @@ std::uint32_t FirstValue(const NxvVoxelBytes& each, const Bytes& bytes)
     std::copy_n(bytes.data() + plane * (bytes.size() / each.planes), each.bytes,
       value.begin() + static_cast<std::ptrdiff_t>(plane * each.bytes));
   }
-  return WordAt(value.data());
+  return LittleEndian(value.data());
 }
 
 // The opposite of FirstValue, for all voxels.
@@ -257,12 +248,18 @@ NxvBrickArrays::Growing& NxvBrickArrays::Find(const NxvArray& array)
   Growing& added = arrays.back();
   added.array.storage = NxvStorage::Bricks;
   added.array.brick = NxvBrickSize;
-  const Brick missing{{}, IsOfStates(array.name) ? NxvStateAsCode : 0U};
-  for (std::size_t i = 0; i < bricksBefore; ++i)
-  {
-    Append(missing, added);
-  }
+  FillUp(bricksBefore, added);
   return added;
+}
+
+// Adds bricks that the array did not have, up to so many in all.
+void NxvBrickArrays::FillUp(std::size_t count, Growing& to)
+{
+  const Brick missing{{}, IsOfStates(to.array.name) ? NxvStateAsCode : 0U};
+  while (to.index.size() < count * entrySize)
+  {
+    Append(missing, to);
+  }
 }
 
 void NxvBrickArrays::Append(const Brick& brick, Growing& to)
@@ -311,11 +308,7 @@ void NxvBrickArrays::EndBand()
   const std::size_t all = bricksBefore + this->BricksInBand();
   for (Growing& each : arrays)
   {
-    const Brick missing{{}, IsOfStates(each.array.name) ? NxvStateAsCode : 0U};
-    while (each.index.size() < all * entrySize)
-    {
-      Append(missing, each);
-    }
+    FillUp(all, each);
   }
 }
 
@@ -378,8 +371,8 @@ std::vector<StoredBrick> FindBricks(const NxvArray& array, const std::array<int,
       for (place[2] = 0; place[2] < along[2]; ++place[2], entry += entrySize)
       {
         brick.voxels = BrickAt(place, dimensions, array.brick);
-        brick.length = WordAt(entry);
-        brick.value = WordAt(entry + 4);
+        brick.length = LittleEndian(entry);
+        brick.value = LittleEndian(entry + 4);
         if (brick.length > array.length - brick.offset)
         {
           throw Error("its index has bricks that are longer than its payload");

@@ -50,8 +50,8 @@ public:
   /// Adds an array of the band, of which `source` gives the bytes as NxvVoxelBytes has them. What
   /// is said of the array must be the same in all bands.
   void Add(const NxvArray& array, DeflateSearch search, const ByteSource& source);
-  /// Ends the band. In arrays that it did not have, but another band has, its voxels are `missing`:
-  /// NxvStateAsCode in an array of states, else 0.
+  /// Ends the band. In arrays that it did not have, but another band has, all its voxels are
+  /// NxvStateAsCode in an array of states, and else 0.
   void EndBand();
 
   /// The arrays, with lengths and check sums; after the last band.
@@ -77,6 +77,7 @@ private:
   VoxelBlock BrickInBand(std::size_t number) const;
   Growing& Find(const NxvArray& array);
   static void Append(const Brick& brick, Growing& to);
+  static void FillUp(std::size_t count, Growing& to);
 
   const std::array<int, 3> dimensions;
   VoxelBlock band; // of the grid

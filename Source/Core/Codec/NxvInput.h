@@ -42,9 +42,6 @@ private:
   std::array<char, 64 * 1024> buffer;
 };
 
-/// The number that four bytes of a file are.
-std::uint32_t LittleEndian(const std::uint8_t* bytes);
-
 /// A header, and where the payloads begin.
 struct NxvContent
 {

@@ -179,17 +179,21 @@ std::optional<GriddedVolume> MergeVolumes(const std::vector<ReadyVolume>& volume
   return merger.Merge(ready, request.time, motion.get(), request.loop, progress, std::move(memory));
 }
 
-std::optional<GriddedVolume> MergeMoments(const std::vector<ReadyVolume>& volumes,
-  const std::vector<MomentName>& moments, const MergeRequest& request, const Progress& progress,
-  MergeRun& run, GriddedVolume memory)
+namespace
+{
+
+// One volume of several moments, of which `merge(number, memory)` makes each; empty when it does
+// not.
+template <class Merge>
+std::optional<GriddedVolume> MergeEachMoment(
+  const std::vector<MomentName>& moments, GriddedVolume memory, const Merge& merge)
 {
   std::vector<GriddedVolume> memories = SplitMoments(std::move(memory));
   memories.resize(moments.size());
   std::vector<GriddedVolume> merged;
   for (std::size_t i = 0; i < moments.size(); ++i)
   {
-    std::optional<GriddedVolume> one = MergeVolumes(OfMoment(volumes, moments[i]), request,
-      ShareOf(progress, i, moments.size()), run, std::move(memories[i]));
+    std::optional<GriddedVolume> one = merge(i, std::move(memories[i]));
     if (!one)
     {
       return std::nullopt;
@@ -198,6 +202,20 @@ std::optional<GriddedVolume> MergeMoments(const std::vector<ReadyVolume>& volume
     merged.push_back(std::move(*one));
   }
   return JoinMoments(std::move(merged));
+}
+
+} // namespace
+
+std::optional<GriddedVolume> MergeMoments(const std::vector<ReadyVolume>& volumes,
+  const std::vector<MomentName>& moments, const MergeRequest& request, const Progress& progress,
+  MergeRun& run, GriddedVolume memory)
+{
+  return MergeEachMoment(moments, std::move(memory),
+    [&](std::size_t i, GriddedVolume own)
+    {
+      return MergeVolumes(OfMoment(volumes, moments[i]), request,
+        ShareOf(progress, i, moments.size()), run, std::move(own));
+    });
 }
 
 namespace
@@ -239,16 +257,10 @@ bool MergeBands(const std::vector<ReadyVolume>& volumes, const std::vector<Momen
     band.end[1] = std::min(row + rows, height);
     request.block = band;
     BeamMerger& merger = run.MergerFor(request);
-    std::vector<GriddedVolume> memories = SplitMoments(std::move(memory));
-    memories.resize(moments.size());
-    std::vector<GriddedVolume> merged;
-    for (std::size_t i = 0; i < moments.size(); ++i)
-    {
-      merged.push_back(
-        merger.Merge(planned[i].plan, request.loop, {}, std::move(memories[i])).value());
-      merged.back().moment = moments[i]; // which a merge of no volumes does not know
-    }
-    memory = take(JoinMoments(std::move(merged)));
+    std::optional<GriddedVolume> merged = MergeEachMoment(moments, std::move(memory),
+      [&](std::size_t i, GriddedVolume own)
+      { return merger.Merge(planned[i].plan, request.loop, {}, std::move(own)); });
+    memory = take(std::move(merged.value()));
     if (progress && !progress(static_cast<double>(band.end[1]) / height))
     {
       return false;
