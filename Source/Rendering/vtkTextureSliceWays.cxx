@@ -305,7 +305,9 @@ vtkTextureSliceWays::Way vtkTextureSliceWays::FindAsked(Way asked)
 
 vtkTextureSliceWays::Way vtkTextureSliceWays::ChooseByTrial()
 {
-  if (!HasCompute())
+  const char* value = std::getenv(Variable);
+  const bool isTrialAsked = value != nullptr && value == std::string(Names[Mapper::AUTOMATIC]);
+  if (!HasCompute() || (vtkTextureSliceIsLlvmpipe() && !isTrialAsked))
   {
     return Mapper::FRAGMENTS;
   }

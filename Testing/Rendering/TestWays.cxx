@@ -288,6 +288,7 @@ TEST_F(Ways, AnUnknownNameIsSaidOnce)
 
 TEST_F(Ways, TheFasterOneIsChosenAfterTheSecondFrame)
 {
+  const WayVariable variable("automatic"); // also in software
   const Picture background = this->Stage->Draw(nullptr);
   const Picture first = this->DrawIn(Mapper::AUTOMATIC);
   const Picture second = this->DrawIn(Mapper::AUTOMATIC);
@@ -303,7 +304,8 @@ TEST_F(Ways, TheFasterOneIsChosenAfterTheSecondFrame)
 // What is left of the volume lies below the picture.
 TEST_F(Ways, ATrialBesideThePictureIsNoError)
 {
-  std::thread another( // which had no trial yet
+  const WayVariable variable("automatic"); // also in software
+  std::thread another(                     // which had no trial yet
     []
     {
       Scene scene(64, 64);

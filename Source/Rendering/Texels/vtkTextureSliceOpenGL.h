@@ -14,6 +14,15 @@
 
 #include "vtkTextureObject.h"
 
+#include <cstring>
+
+/// Mesa's software renderer draws.
+inline bool vtkTextureSliceIsLlvmpipe()
+{
+  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  return renderer != nullptr && std::strstr(renderer, "llvmpipe") != nullptr;
+}
+
 /// Between texels there is the nearest one, or what is linear; beyond them there are the last ones.
 inline void vtkTextureSliceSetSampling(vtkTextureObject* texture, bool nearest)
 {

@@ -11,20 +11,11 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <cstring>
 #include <type_traits>
 #include <utility>
 
 namespace
 {
-
-/// Mesa's software renderer interpolates bytes in eight bits, and shorts as floats. Codes need
-/// that: their values are a byte's steps apart, and what lies between two of them is drawn as such.
-bool IsLlvmpipe()
-{
-  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  return renderer != nullptr && std::strstr(renderer, "llvmpipe") != nullptr;
-}
 
 /// Takes the errors that OpenGL keeps of calls before, one of each kind.
 void ForgetErrors()
@@ -195,7 +186,9 @@ std::string vtkTextureSliceTexture::Allocate(
   const int channels = this->Texels.CountChannels();
   const int scalarType = this->Texels.ScalarType;
   this->Texture->SetContext(window);
-  const bool wide = this->Texels.AreCodeBytes() && IsLlvmpipe();
+  // It interpolates bytes in eight bits, and shorts as floats. Codes need that: their values are a
+  // byte's steps apart, and what lies between two of them is drawn as such.
+  const bool wide = this->Texels.AreCodeBytes() && vtkTextureSliceIsLlvmpipe();
   const unsigned int format = this->Texture->GetDefaultInternalFormat(
     wide ? VTK_UNSIGNED_SHORT : scalarType, channels, false);
   const std::array<int, 4> wanted{size[0], size[1], size[2], static_cast<int>(format)};
