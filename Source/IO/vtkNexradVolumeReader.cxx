@@ -38,8 +38,9 @@ struct vtkNexradVolumeReader::Step
 /// The volumes that the file name stands for, and what the first of them holds.
 struct vtkNexradVolumeReader::Contents
 {
-  std::vector<Step> Steps; ///< at least one, ascending
-  nexrad::GridSpecification Grid;
+  std::vector<Step> Steps;         ///< at least one, ascending
+  std::size_t Level = 0;           ///< which they all have
+  nexrad::GridSpecification Grid;  ///< of that level
   std::vector<std::string> Arrays; ///< names of the ancillary arrays, as REF_age
   bool AsCodes = false;            ///< the active scalars are given as codes of one byte
 
@@ -179,14 +180,20 @@ vtkNexradVolumeReader::Contents vtkNexradVolumeReader::ReadContents() const
   {
     contents.Steps.push_back({nexrad::ToSeconds(first.time), path});
   }
-  contents.Grid = first.grid;
-  contents.Arrays = nexrad::ReadNxvAncillaryArrayNames(firstFile);
+  const std::vector<nexrad::GridSpecification> levels = nexrad::ReadNxvLevels(firstFile);
+  contents.Level = std::min(static_cast<std::size_t>(this->Level), levels.size() - 1);
+  contents.Grid = levels[contents.Level];
+  if (contents.Level == 0)
+  {
+    contents.Arrays = nexrad::ReadNxvAncillaryArrayNames(firstFile);
+  }
   if (first.ofOneRadar)
   {
     contents.Arrays.insert(contents.Arrays.end(), {"azimuth", "elevation", "slant_range"});
   }
   nexrad::NxvReadOptions options;
   options.moments = MomentsToRead(this->Moments);
+  options.level = contents.Level;
   contents.AsCodes = this->ScalarsAsCodes && nexrad::HasNxvCodes(firstFile, options);
   return contents;
 }
@@ -194,13 +201,15 @@ vtkNexradVolumeReader::Contents vtkNexradVolumeReader::ReadContents() const
 void vtkNexradVolumeReader::ReadStep(
   const Step& step, const nexrad::VoxelBlock& block, vtkImageData* image)
 {
-  if (nexrad::ReadNxvHeader(step.File).grid != this->Opened->Grid)
+  const std::size_t level = this->Opened->Level;
+  const std::vector<nexrad::GridSpecification> levels = nexrad::ReadNxvLevels(step.File);
+  if (level >= levels.size() || levels[level] != this->Opened->Grid)
   {
     throw nexrad::Error(
       step.File.string() + ": its grid is not that of the first volume of the series");
   }
   vtkNexradReadVolumeFile({step.File.string(), NamesToLeaveOut(this->GetAncillaryArraySelection()),
-                            MomentsToRead(this->Moments), this->ScalarsAsCodes, 0, block},
+                            MomentsToRead(this->Moments), this->ScalarsAsCodes, 0, block, level},
     image);
   vtkNexradPlaceBlock(this->Opened->Grid, block, image);
 }
@@ -307,6 +316,7 @@ void vtkNexradVolumeReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "Moments: " << this->Moments << "\n";
+  os << indent << "Level: " << this->Level << "\n";
   os << indent << "ScalarsAsCodes: " << this->ScalarsAsCodes << "\n";
   os << indent << "AncillaryArraySelection:\n";
   this->AncillaryArraySelection->PrintSelf(os, indent.GetNextIndent());

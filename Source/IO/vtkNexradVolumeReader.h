@@ -76,6 +76,16 @@ public:
 
   ///@{
   /**
+   * The size of the voxels, of a file that has the volume in several: 0, the default, stands for
+   * the smallest, 1 for those of the next coarser level, and so on; a number that the file does not
+   * have, for the largest. Coarser levels have no ancillary arrays.
+   */
+  vtkSetClampMacro(Level, int, 0, VTK_INT_MAX);
+  vtkGetMacro(Level, int);
+  ///@}
+
+  ///@{
+  /**
    * Give the scalars as the file's codes, one byte a voxel, with what they stand for in the field
    * data (vtkNexradImageConversion.h): vtkOpenGLTextureSliceVolumeMapper draws them as it draws
    * values, and they are read several times as fast and take a sixth of the memory. Files whose
@@ -98,6 +108,7 @@ protected:
 
   char* FileName = nullptr;
   std::string Moments;
+  int Level = 0;
   bool ScalarsAsCodes = false;
 
 private:

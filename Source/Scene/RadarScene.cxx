@@ -5,6 +5,7 @@
 #include "Scene/Captions/EchoShown.h"
 #include "Scene/EchoFraming.h"
 #include "Scene/Frame/PictureLayout.h"
+#include "Scene/Frame/SeenPart.h"
 #include "Scene/Map/MapLayer.h"
 #include "Scene/Plan/PlanLayer.h"
 #include "Scene/Scales/ColourScale.h"
@@ -642,6 +643,25 @@ void RadarScene::PlaceDetail()
   detail.Show(placed, volume, MakeVolumeMapper(options.mapper, options.preIntegration),
     MakeVolumeMapper(options.mapper, options.preIntegration));
   this->FollowIsoValues();
+}
+
+std::optional<BoxRequest> RadarScene::SeenBox() const
+{
+  auto* whole = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
+  auto* image = vtkImageData::SafeDownCast(whole != nullptr ? whole->GetDataSetInput() : nullptr);
+  const auto seen =
+    options.plan || image == nullptr ? std::nullopt : FindSeen(renderer, size, frame.Bounds());
+  if (!seen || image->GetSpacing()[0] <= seen->pixel)
+  {
+    return std::nullopt;
+  }
+  const auto [west, east, south, north] = seen->faces;
+  const std::array<double, 3> lower = frame.ToVolume({west, south, 0.0});
+  const std::array<double, 3> upper = frame.ToVolume({east, north, 0.0});
+  BoxRequest box;
+  box.faces = {lower[0], upper[0], lower[1], upper[1]};
+  box.spacing = std::max(1000.0 * seen->pixel, 1.0);
+  return box;
 }
 
 void RadarScene::SetMark(const std::optional<std::array<double, 4>>& faces)

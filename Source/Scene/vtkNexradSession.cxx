@@ -34,9 +34,10 @@ struct vtkNexradSession::Opened
   std::shared_ptr<VolumeSeries> volumes;
   std::vector<std::size_t> steps; ///< indices of the volumes that take part
   std::optional<nexrad::BoxRequest> box;
-  bool given = false;                 ///< by SetSeries: the file names do not count
-  vtkMTimeType time = 0;              ///< of the settings that it was opened with
-  std::optional<SceneOptions> framed; ///< what the frame was measured with
+  std::optional<nexrad::BoxRequest> seen; ///< that is drawn in finer voxels; not with `box`
+  bool given = false;                     ///< by SetSeries: the file names do not count
+  vtkMTimeType time = 0;                  ///< of the settings that it was opened with
+  std::optional<SceneOptions> framed;     ///< what the frame was measured with
   std::unique_ptr<BackgroundSeries> ahead;
 };
 
@@ -183,6 +184,7 @@ void vtkNexradSession::LoadAhead()
     loading.memory = memory;
     series.ahead = std::make_unique<BackgroundSeries>(std::move(loading));
     series.ahead->SetBox(series.box);
+    series.seen.reset();
   }
 }
 
@@ -230,6 +232,7 @@ bool vtkNexradSession::Load(int index, const nexrad::Progress& progress)
   }
   this->Scene->SetVolume(volume);
   this->TimeStepIndex = index;
+  this->Scene->SetDetail(nullptr);
   if (this->Series->box)
   {
     const auto box = this->Series->ahead->Box(step);
@@ -237,6 +240,31 @@ bool vtkNexradSession::Load(int index, const nexrad::Progress& progress)
     this->Scene->SetDetail(box);
     this->Scene->MarkBox(west, east, south, north);
   }
+  return true;
+}
+
+// What the picture shows, in voxels as fine as its pixels, where the series has them. False when
+// `progress` asked to stop.
+bool vtkNexradSession::LoadSeen(const nexrad::Progress& progress)
+{
+  Opened& series = *this->Series;
+  const auto step = static_cast<std::size_t>(this->TimeStepIndex);
+  if (series.box || !series.volumes->LeavesOutFiner(series.steps[step]))
+  {
+    return true;
+  }
+  const std::optional<nexrad::BoxRequest> seen = this->Scene->SeenBox();
+  if (!(series.seen == seen))
+  {
+    series.seen = seen;
+    series.ahead->SetBox(seen);
+  }
+  if (!series.ahead->Wait(step, progress))
+  {
+    return false;
+  }
+  this->Scene->SetDetail(series.ahead->Box(step));
+  this->Scene->Draw();
   return true;
 }
 
@@ -253,6 +281,7 @@ bool vtkNexradSession::Show(int step, const nexrad::Progress& progress)
   try
   {
     this->Scene->Draw();
+    return this->LoadSeen(progress);
   }
   catch (...)
   {
@@ -260,7 +289,6 @@ bool vtkNexradSession::Show(int step, const nexrad::Progress& progress)
     this->TimeStepIndex = shownStep;
     throw;
   }
-  return true;
 }
 
 bool vtkNexradSession::ShowTimeStep(int index)

@@ -20,6 +20,10 @@
  * that of eight. It is measured when a time step is shown for the first time, and with each other
  * preset.
  *
+ * A volume of a file that has it in voxels of several sizes is shown in the smallest ones that fit
+ * in 256 MiB of texture memory; ShowTimeStep reads what the camera sees of it in voxels as fine as
+ * the pixels, as far as these fit as well, and shows them in its place.
+ *
  * Errors: an input that does not exist or cannot be used, volumes mixed with radar files, a volume
  * that cannot be read or merged, and those of vtkNexradVolumeScene. After an error the scene shows
  * what it showed before.
@@ -149,6 +153,7 @@ private:
   void MeasureFrame();
   void LoadAhead();
   bool Load(int index, const std::function<bool(double)>& progress);
+  bool LoadSeen(const std::function<bool(double)>& progress);
 
   vtkNew<vtkNexradDayReader> DayReader;
   vtkNew<vtkNexradVolumeScene> Scene;

@@ -289,6 +289,11 @@ void vtkNexradVolumeScene::ClearFrame()
   this->HoldEcho(std::nullopt);
 }
 
+std::optional<nexrad::BoxRequest> vtkNexradVolumeScene::SeenBox() const
+{
+  return this->Drawn ? this->Drawn->SeenBox() : std::nullopt;
+}
+
 void vtkNexradVolumeScene::HoldEcho(const std::optional<EchoExtent>& echo)
 {
   this->Wanted->held = echo;

@@ -47,6 +47,7 @@ class vtkRenderer;
 
 namespace nexrad
 {
+struct BoxRequest;
 namespace scene // as VTK's wrapper reads it
 {
 class RadarScene;
@@ -318,6 +319,10 @@ public:
   /// How the volume stands in the scene; for the parts of this module. Null before the first volume
   /// is shown.
   const nexrad::scene::SceneFrame* GetSceneFrame() const;
+  /// The part of the domain that the picture shows as it was drawn last, in voxels of the size of
+  /// its pixels. Nothing where those of the volume are no larger, and where the picture shows no
+  /// part of a volume, or a map.
+  std::optional<nexrad::BoxRequest> SeenBox() const;
   /// The frame is that of this echo, as after AddToFrame.
   void HoldEcho(const std::optional<nexrad::scene::EchoExtent>& echo);
 #endif

@@ -89,6 +89,11 @@ public:
     this->Loads.End(SecondsOf([&] { volume = this->Source->Load(index, progress); }));
     return volume;
   }
+  vtkSmartPointer<vtkImageData> LoadBox(
+    std::size_t index, const BoxRequest& box, const Progress& progress) override
+  {
+    return this->Source->LoadBox(index, box, progress);
+  }
 
 private:
   std::unique_ptr<VolumeSeries> Source;

@@ -31,10 +31,12 @@ void AddBoxOptions(CLI::App& command, InputRequest& request)
   const auto takeTime = [&request](const std::string& text)
   { BoxOf(request).followedFrom = ParseTime(text); };
   CLI::Option* faces = AddTextOption(command, "--box", takeFaces, "WEST,EAST,SOUTH,NORTH",
-    "Merge this box of the domain again in voxels of 250 m (larger where it is wider than 60 km) "
-    "and draw it in place of that part of the volume: m or km east and north of the domain's "
-    "centre; of a domain on axes of longitude and latitude degrees, as in "
-    "-98deg,-97deg,35deg,36deg. From radar files alone");
+    "Draw this box of the domain in finer voxels: of radar files merged again in voxels of 250 m "
+    "(larger where it is wider than 60 km), of .nxv files the smallest that they have. m or km "
+    "east "
+    "and north of the domain's centre; of a domain on axes of longitude and latitude degrees, as "
+    "in "
+    "-98deg,-97deg,35deg,36deg");
   faces->group(group);
   AddTextOption(command, "--follow-from", takeTime, "TIME",
     "The box is there at this time, in UTC; before and after, it has moved with the echo in it")

@@ -32,9 +32,8 @@ BoxMouse::BoxMouse(SceneView& sceneView, Playback& thePlayback)
   : QObject(&sceneView)
   , view(sceneView)
   , playback(thePlayback)
-  , make(
-      this->Add("Make a &box", "Drag on the ground with the left mouse button: the box is merged "
-                               "again in voxels of 250 m. Escape leaves this"))
+  , make(this->Add("Make a &box", "Drag on the ground with the left mouse button: the box is drawn "
+                                  "in finer voxels. Escape leaves this"))
   , follow(this->Add("&Follow the storm",
       "The box moves from one time to the next as the echo in it moves, and stays in the domain"))
   , remove(this->Add("R&emove the box", "Show the volume without the box"))
@@ -206,7 +205,7 @@ void BoxMouse::Show(vtkImageData* box)
 {
   view.Scene()->SetDetail(box);
   const bool following = playback.HasBox() && playback.Box()->followedFrom;
-  if (box != nullptr)
+  if (box != nullptr && playback.HasBox())
   {
     const auto [west, east, south, north] = scene::SidesOf(box);
     view.Scene()->MarkBox(west, east, south, north);
@@ -224,12 +223,13 @@ void BoxMouse::Show(vtkImageData* box)
 QString BoxMouse::Text() const
 {
   vtkImageData* box = view.Scene()->GetDetail();
-  if (box == nullptr)
+  if (box == nullptr || !playback.HasBox())
   {
     return playback.HasBox()
              ? QString("The box is being merged.")
-             : QString("A box is a part of the volume that is merged again from the rays in voxels "
-                       "of 250 m. Choose “Make a box”, or hold Ctrl, and drag on the ground.");
+             : QString("A box is a part of the volume in finer voxels: of radar files it is merged "
+                       "again in voxels of 250 m, of .nxv files the smallest are read. Choose "
+                       "“Make a box”, or hold Ctrl, and drag on the ground.");
   }
   const int* size = box->GetDimensions();
   const auto time = scene::ReadVolumeInformation(box).time;

@@ -27,7 +27,7 @@ class Playback;
 class SceneView;
 
 /// Lets the user drag a box on the ground: with Ctrl and the left button, or with the left button
-/// alone once the action that makes a box was chosen. The box is merged again in finer voxels for
+/// alone once the action that makes a box was chosen. The box is drawn in finer voxels for
 /// each time that is shown; where it follows the storm, it is elsewhere at each time. Escape leaves
 /// the action, or takes the box away.
 class BoxMouse : public QObject

@@ -16,6 +16,7 @@
 #include "Viewer/PointerReadout.h"
 #include "Viewer/SceneView.h"
 #include "Viewer/SectionPanel.h"
+#include "Viewer/SeenVoxels.h"
 #include "Viewer/TimeLine.h"
 #include "Viewer/TransferFunctionChart.h"
 #include "Viewer/TransferFunctionEditor.h"
@@ -231,6 +232,7 @@ void MainWindow::MakeCutting()
   auto* cut = new CutPanel(*view, this);
   auto* lookDock = this->findChild<QDockWidget*>("look");
   box = new BoxMouse(*view, *playback);
+  new SeenVoxels(*view, *playback);
   this->tabifyDockWidget(lookDock, this->AddDock("Cut", "cut dock", new SettingsScroll(cut, this)));
   this->tabifyDockWidget(lookDock, this->AddDock("Box", "box dock", MakeBoxPanel(*box)));
   lookDock->raise();

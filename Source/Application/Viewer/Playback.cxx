@@ -69,6 +69,7 @@ void Playback::Open(BackgroundSeriesOptions options, std::optional<Time> first)
   step = 0;
   waiting = true;
   box.reset();
+  seen.reset();
   boxWaiting = false;
   emit BoxLoaded(nullptr);
   state = {};
@@ -146,12 +147,29 @@ void Playback::FindFirst()
 void Playback::SetBox(const std::optional<BoxRequest>& wanted)
 {
   box = series != nullptr ? wanted : std::nullopt;
+  seen.reset();
   boxWaiting = box.has_value();
   if (series)
   {
     series->SetBox(wanted);
   }
   emit BoxLoaded(nullptr);
+}
+
+// What is shown in finer voxels stays until the next is there.
+void Playback::SetSeen(const std::optional<BoxRequest>& wanted)
+{
+  if (!series || box || wanted == seen)
+  {
+    return;
+  }
+  seen = wanted;
+  boxWaiting = seen.has_value();
+  series->SetBox(seen);
+  if (!seen)
+  {
+    emit BoxLoaded(nullptr);
+  }
 }
 
 void Playback::ShowBox()
@@ -164,7 +182,11 @@ void Playback::ShowBox()
   }
   catch (const std::exception& error)
   {
-    this->SetBox(std::nullopt);
+    boxWaiting = false;
+    if (box)
+    {
+      this->SetBox(std::nullopt);
+    }
     emit Failed(QString::fromStdString(error.what()));
   }
 }
@@ -186,7 +208,7 @@ void Playback::Show()
   if (volume)
   {
     emit Loaded(volume);
-    boxWaiting = box.has_value();
+    boxWaiting = box || seen;
     if (boxWaiting)
     {
       this->ShowBox();

@@ -41,12 +41,16 @@ public:
   /// The volume of a step, which is not shown for that. Nothing as long as it is not loaded; then
   /// it is loaded next. Throws Error when it cannot be loaded.
   vtkSmartPointer<vtkImageData> Volume(std::size_t wanted);
-  /// Merges a box of the domain again for each step, until another series is opened or nothing is
-  /// set. BoxLoaded gives the box of each step that is shown.
+  /// Loads a box of the domain in finer voxels for each step, until another series is opened or
+  /// nothing is set. BoxLoaded gives the box of each step that is shown.
   void SetBox(const std::optional<BoxRequest>& wanted);
   bool HasBox() const { return box.has_value(); }
   /// The box that is set.
   const std::optional<BoxRequest>& Box() const { return box; }
+  /// Loads what the window shows as such a box, as long as SetBox sets none.
+  void SetSeen(const std::optional<BoxRequest>& wanted);
+  /// The box that SetSeen set.
+  const std::optional<BoxRequest>& Seen() const { return seen; }
   /// The box of a step, as Volume; nothing also where none is set.
   vtkSmartPointer<vtkImageData> VolumeOfBox(std::size_t wanted) const;
   /// Whether that step is still being loaded.
@@ -98,7 +102,8 @@ private:
   std::size_t step = 0;
   bool waiting = false;
   std::optional<BoxRequest> box;
-  bool boxWaiting = false; ///< that of the step is not shown yet
+  std::optional<BoxRequest> seen; ///< none where there is `box`
+  bool boxWaiting = false;        ///< that of the step is not shown yet
   bool playing = false;
   bool loops = true;
   int interval = 500; // ms

@@ -335,6 +335,7 @@ void SceneView::Draw()
       failure = problem;
       emit DrawingFailed(QString::fromStdString(problem));
     }
+    emit PictureDrawn();
   }
 }
 

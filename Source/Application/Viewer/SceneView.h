@@ -70,6 +70,8 @@ signals:
   void CameraMoved();
   /// Another volume is shown.
   void VolumeShown();
+  /// The scene was drawn.
+  void PictureDrawn();
   /// The volume, or a part of the scene, could not be drawn.
   void DrawingFailed(const QString& why);
 

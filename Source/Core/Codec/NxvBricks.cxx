@@ -209,6 +209,14 @@ NxvBrickArrays::NxvBrickArrays(const GridSpecification& grid)
   band.end[1] = 0;
 }
 
+VoxelBlock NxvBrickArrays::NextBand() const
+{
+  VoxelBlock next = band;
+  next.begin[1] = band.end[1];
+  next.end[1] = std::min(next.begin[1] + NxvBrickSize[1], dimensions[1]);
+  return next;
+}
+
 const VoxelBlock& NxvBrickArrays::BeginBand(const RangeLoop& theLoop)
 {
   if (band.end[1] == dimensions[1])
@@ -217,8 +225,7 @@ const VoxelBlock& NxvBrickArrays::BeginBand(const RangeLoop& theLoop)
   }
   loop = theLoop;
   bricksBefore += band.end[1] > 0 ? this->BricksInBand() : 0;
-  band.begin[1] = band.end[1];
-  band.end[1] = std::min(band.begin[1] + NxvBrickSize[1], dimensions[1]);
+  band = this->NextBand();
   return band;
 }
 

@@ -44,6 +44,8 @@ class NxvBrickArrays
 public:
   explicit NxvBrickArrays(const GridSpecification& grid);
 
+  /// Rows of the next band; none after the last one.
+  VoxelBlock NextBand() const;
   /// Begins the next band, and returns it; `loop` makes its bricks. Throws Error after the last
   /// one.
   const VoxelBlock& BeginBand(const RangeLoop& loop);

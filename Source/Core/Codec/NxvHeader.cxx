@@ -83,6 +83,16 @@ Json FormatArray(const NxvArray& array)
   return json;
 }
 
+Json FormatArrays(const std::vector<NxvArray>& arrays)
+{
+  Json json = Json::array();
+  for (const NxvArray& array : arrays)
+  {
+    json.push_back(FormatArray(array));
+  }
+  return json;
+}
+
 double FiniteNumber(const Json& value, const std::string& key)
 {
   const double number = value.get<double>();
@@ -302,21 +312,19 @@ Json FormatPositions(const std::vector<Position>& positions)
   return json;
 }
 
-// The arrays of a volume begin with its moment.
-void ParseArrays(const Json& json, NxvHeader& header)
+// The arrays of a volume, or of one of its levels, begin with its moment.
+std::vector<NxvArray> ParseArrays(const Json& json)
 {
+  std::vector<NxvArray> arrays;
   for (const Json& array : json)
   {
-    header.arrays.push_back(ParseArray(array));
+    arrays.push_back(ParseArray(array));
   }
-  const auto moment = header.arrays.empty() ? std::nullopt : ParseMomentName(header.arrays[0].name);
-  if (!moment)
+  if (arrays.empty() || !ParseMomentName(arrays[0].name))
   {
     throw Error("header: the first of the arrays must be a moment");
   }
-  header.volume.moment = *moment;
-  header.volume.fill = static_cast<float>(header.arrays[0].fill);
-  for (const NxvArray& array : header.arrays)
+  for (const NxvArray& array : arrays)
   {
     if ((array.type == NxvType::UInt7) != (array.storage == NxvStorage::RunLength))
     {
@@ -324,6 +332,36 @@ void ParseArrays(const Json& json, NxvHeader& header)
                   "\": rle is for uint7, deflate and bricks are for the other types");
     }
   }
+  return arrays;
+}
+
+// Those that a writer made.
+std::vector<NxvLevel> ParseLevels(const Json& json, const std::string& moment)
+{
+  constexpr std::uint64_t most = std::uint64_t(1) << 16; // voxels in one, along an axis
+  std::vector<NxvLevel> levels;
+  for (const Json& each : json)
+  {
+    NxvLevel level;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const Json& voxels = each.at("voxels").at(axis);
+      const auto count = voxels.is_number_unsigned() ? voxels.get<std::uint64_t>() : 0;
+      if (count < 1 || count > most)
+      {
+        throw Error("header: level of " + Excerpt(each.at("voxels").dump()) +
+                    " voxels in one: must be 1 to 2^16 along each axis");
+      }
+      level.voxels[axis] = static_cast<int>(count);
+    }
+    level.arrays = ParseArrays(each.at("arrays"));
+    if (level.arrays[0].name != moment)
+    {
+      throw Error("header: the first array of a level must be " + Excerpt(moment) + ", as in all");
+    }
+    levels.push_back(std::move(level));
+  }
+  return levels;
 }
 
 NxvHeader ParseJson(const Json& json)
@@ -357,7 +395,10 @@ NxvHeader ParseJson(const Json& json)
   {
     throw Error("header: one_radar needs one site and its site_positions");
   }
-  ParseArrays(json.at("arrays"), header);
+  header.arrays = ParseArrays(json.at("arrays"));
+  header.levels = ParseLevels(json.value("levels", Json::array()), header.arrays[0].name);
+  header.volume.moment = *ParseMomentName(header.arrays[0].name);
+  header.volume.fill = static_cast<float>(header.arrays[0].fill);
   return header;
 }
 
@@ -403,10 +444,10 @@ std::string FormatNxvHeader(const NxvHeader& header)
   {
     json["notes"] = volume.notes;
   }
-  json["arrays"] = Json::array();
-  for (const NxvArray& array : header.arrays)
+  json["arrays"] = FormatArrays(header.arrays);
+  for (const NxvLevel& level : header.levels)
   {
-    json["arrays"].push_back(FormatArray(array));
+    json["levels"].push_back({{"voxels", level.voxels}, {"arrays", FormatArrays(level.arrays)}});
   }
   std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   text.pop_back();

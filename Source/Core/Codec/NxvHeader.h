@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "nexrad/Codec/NxvLevels.h"
 #include "nexrad/Grid/GriddedVolume.h"
 
 #include <array>
@@ -49,11 +50,19 @@ struct NxvArray
   std::uint64_t indexLength = 0;        ///< bytes of the payload before the first brick
 };
 
+/// The volume in larger voxels: its moments and their states.
+struct NxvLevel
+{
+  VoxelsInOne voxels = {1, 1, 1};
+  std::vector<NxvArray> arrays;
+};
+
 /// The header of a volume file.
 struct NxvHeader
 {
   GriddedVolume volume; ///< without values and states
   std::vector<NxvArray> arrays;
+  std::vector<NxvLevel> levels; ///< from fine to coarse; their payloads follow those of `arrays`
 };
 
 constexpr std::size_t NxvLargestHeader = std::size_t(1) << 20; ///< bytes

@@ -42,10 +42,12 @@ void CheckExpansion(const NxvArray& array, const GridSpecification& grid)
   }
 }
 
-void CheckLengths(const NxvInput& file, const NxvContent& content)
+// Checks arrays of a grid that follow each other where `left` bytes of the file are left, and
+// takes theirs off.
+void CheckLengths(const NxvInput& file, const std::vector<NxvArray>& arrays,
+  const GridSpecification& grid, std::uint64_t& left)
 {
-  std::uint64_t left = file.Length() - content.payloads;
-  for (const NxvArray& array : content.header.arrays)
+  for (const NxvArray& array : arrays)
   {
     if (array.length > left)
     {
@@ -53,8 +55,19 @@ void CheckLengths(const NxvInput& file, const NxvContent& content)
                                         std::to_string(array.length) + " bytes, the file has " +
                                         std::to_string(left));
     }
-    CheckExpansion(array, content.header.volume.grid);
+    CheckExpansion(array, grid);
     left -= array.length;
+  }
+}
+
+void CheckLengths(const NxvInput& file, const NxvContent& content)
+{
+  const GridSpecification& grid = content.header.volume.grid;
+  std::uint64_t left = file.Length() - content.payloads;
+  CheckLengths(file, content.header.arrays, grid, left);
+  for (const NxvLevel& level : content.header.levels)
+  {
+    CheckLengths(file, level.arrays, CoarserGrid(grid, level.voxels), left);
   }
   if (left != 0)
   {
@@ -149,6 +162,31 @@ NxvContent OpenNxv(NxvInput& file)
   }
   content.payloads = startSize + headerLength;
   CheckLengths(file, content);
+  return content;
+}
+
+NxvContent LevelOf(NxvContent content, std::size_t level)
+{
+  std::vector<NxvLevel>& levels = content.header.levels;
+  if (level > levels.size())
+  {
+    throw Error("the file has no level " + std::to_string(level) + "; its levels are 0 to " +
+                std::to_string(levels.size()));
+  }
+  for (std::size_t i = 0; i < level; ++i)
+  {
+    for (const NxvArray& array : content.header.arrays)
+    {
+      content.payloads += array.length;
+    }
+    content.header.arrays = std::move(levels[i].arrays);
+  }
+  if (level > 0)
+  {
+    GridSpecification& grid = content.header.volume.grid;
+    grid = CoarserGrid(grid, levels[level - 1].voxels);
+    levels.clear();
+  }
   return content;
 }
 

@@ -42,7 +42,7 @@ private:
   std::array<char, 64 * 1024> buffer;
 };
 
-/// A header, and where the payloads begin.
+/// A volume of a file, and where the payloads of its arrays begin.
 struct NxvContent
 {
   NxvHeader header;
@@ -52,8 +52,12 @@ struct NxvContent
 /// Throws Error that names a place in the file; the file's name comes from whoever knows it.
 [[noreturn]] void RefuseNxv(std::uint64_t offset, const std::string& what);
 
-/// Reads the header, and checks the lengths of the arrays against that of the file.
+/// Reads the header, and checks the lengths of all arrays against that of the file.
 NxvContent OpenNxv(NxvInput& file);
+
+/// One of the levels of what a file contains, as a volume of its own; 0: the volume itself. Throws
+/// Error for a level that the file does not have.
+NxvContent LevelOf(NxvContent content, std::size_t level);
 
 /// Throws Error when a payload differs from its CRC-32.
 void CheckNxvPayloads(NxvInput& file, const NxvContent& content);

@@ -441,7 +441,7 @@ GriddedVolume ReadNxv(const fs::path& path, const NxvReadOptions& options)
     [&path, &options]
     {
       NxvInput file(path);
-      const NxvContent content = OpenNxv(file);
+      const NxvContent content = LevelOf(OpenNxv(file), options.level);
       return ReadVoxels(BeginReading(file, content, options));
     });
 }
@@ -452,7 +452,7 @@ std::optional<CodedVolume> ReadNxvCodes(const fs::path& path, const NxvReadOptio
     [&path, &options]() -> std::optional<CodedVolume>
     {
       NxvInput file(path);
-      const NxvContent content = OpenNxv(file);
+      const NxvContent content = LevelOf(OpenNxv(file), options.level);
       const auto moment = CodedMoment(content.header, options);
       if (!moment)
       {
@@ -468,7 +468,7 @@ bool HasNxvCodes(const fs::path& path, const NxvReadOptions& options, bool allSt
     [&path, &options, allStates]
     {
       NxvInput file(path);
-      const NxvHeader header = OpenNxv(file).header;
+      const NxvHeader header = LevelOf(OpenNxv(file), options.level).header;
       const auto moment = CodedMoment(header, options);
       const auto isOfStates = [&moment](const NxvArray& array)
       { return IsOfStates(array, *moment) || IsOfFiltered(array, *moment); };
@@ -484,6 +484,22 @@ GriddedVolume ReadNxvHeader(const fs::path& path)
     {
       NxvInput file(path);
       return OpenNxv(file).header.volume;
+    });
+}
+
+std::vector<GridSpecification> ReadNxvLevels(const fs::path& path)
+{
+  return NamingTheFile(path,
+    [&path]
+    {
+      NxvInput file(path);
+      const NxvHeader header = OpenNxv(file).header;
+      std::vector<GridSpecification> grids{header.volume.grid};
+      for (const NxvLevel& level : header.levels)
+      {
+        grids.push_back(CoarserGrid(header.volume.grid, level.voxels));
+      }
+      return grids;
     });
 }
 

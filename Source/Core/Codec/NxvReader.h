@@ -29,11 +29,15 @@ struct NxvReadOptions
   /// The part of the grid to read, whose grid the volume then has; of a file in bricks, the others
   /// are not read. Empty: all of it.
   std::optional<VoxelBlock> block = {};
+  /// Which of ReadNxvLevels is read; `block` is one of its grid. Coarser levels have no ancillary
+  /// arrays.
+  std::size_t level = 0;
 };
 
 /// Reads one volume. Throws Error naming the file and the byte offset for a wrong magic, header,
 /// dimension, length, CRC or stream, for an ancillary array of a wrong type or with a value that it
-/// cannot have, for a moment to read that the file does not have, and for a block outside the grid.
+/// cannot have, for a moment or level to read that the file does not have, and for a block outside
+/// the grid.
 /// Arrays beside the moments, their states and their ancillary arrays are checked and passed over.
 GriddedVolume ReadNxv(const std::filesystem::path& path, const NxvReadOptions& options = {});
 
@@ -50,6 +54,9 @@ bool HasNxvCodes(
 
 /// Reads the header alone: the same volume without values, states and ancillary arrays.
 GriddedVolume ReadNxvHeader(const std::filesystem::path& path);
+
+/// The grids in which the file has the volume, from fine to coarse; the first is its own.
+std::vector<GridSpecification> ReadNxvLevels(const std::filesystem::path& path);
 
 /// The moments in the file, in its order.
 std::vector<MomentName> ReadNxvMoments(const std::filesystem::path& path);

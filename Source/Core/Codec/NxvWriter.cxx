@@ -4,6 +4,7 @@
 #include "nexrad/Codec/MomentCode.h"
 #include "nexrad/Codec/NxvBricks.h"
 #include "nexrad/Codec/NxvHeader.h"
+#include "nexrad/Codec/NxvLevels.h"
 #include "nexrad/Codec/ThesisStream.h"
 #include "nexrad/Compression/Deflate.h"
 #include "nexrad/Grid/VolumeMoments.h"
@@ -398,20 +399,90 @@ void AddBand(Content& content, const GriddedVolume& volume, bool exact)
 } // namespace
 
 static_assert(NxvBandWriter::Rows == NxvBrickSize[1]);
+static_assert(NxvBandWriter::Rows % 2 == 0, "a band is whole rows of the next level");
 
 struct NxvBandWriter::Impl
 {
+  // The volume, or one of its coarser levels.
+  struct Level
+  {
+    Level(const GridSpecification& theGrid, const VoxelsInOne& theVoxels)
+      : grid(theGrid)
+      , voxels(theVoxels)
+      , arrays(theGrid)
+    {
+    }
+
+    GridSpecification grid;
+    VoxelsInOne voxels; // of the volume, in one of its
+    NxvBrickArrays arrays;
+    std::optional<GriddedVolume> band; // that is being made of the level before
+    int rows = 0;                      // of it that are made
+  };
+
+  void Add(std::size_t number, const GriddedVolume& band, const RangeLoop& loop);
+  void AddToNext(std::size_t number, const GriddedVolume& band, const RangeLoop& loop);
+
   std::filesystem::path path;
   bool exact = false;
   NxvHeader header;
-  NxvBrickArrays arrays;
+  std::vector<Level> levels; // from fine to coarse
 };
+
+void NxvBandWriter::Impl::Add(std::size_t number, const GriddedVolume& band, const RangeLoop& loop)
+{
+  Level& level = levels[number];
+  BandContent content(level.arrays);
+  if (band.grid != PartOf(level.grid, level.arrays.BeginBand(loop)))
+  {
+    throw Error(path.string() + ": bands must have " + std::to_string(Rows) +
+                " rows of the grid each, from the first row on");
+  }
+  AddBand(content, band, exact);
+  for (const GriddedVolume& further : band.further)
+  {
+    AddBand(content, further, exact);
+  }
+  level.arrays.EndBand();
+  if (number + 1 < levels.size())
+  {
+    this->AddToNext(number, band, loop);
+  }
+}
+
+// Makes rows of the next level of a band of this one, and adds that level's band once it has all.
+void NxvBandWriter::Impl::AddToNext(
+  std::size_t number, const GriddedVolume& band, const RangeLoop& loop)
+{
+  const VoxelsInOne& before = levels[number].voxels;
+  Level& next = levels[number + 1];
+  const VoxelsInOne voxels = {
+    next.voxels[0] / before[0], next.voxels[1] / before[1], next.voxels[2] / before[2]};
+  if (!next.band)
+  {
+    next.band = VolumeLike(band, PartOf(next.grid, next.arrays.NextBand()));
+    next.rows = 0;
+  }
+  SetCoarser(band, voxels, next.rows, *next.band, loop);
+  next.rows += CoarserGrid(band.grid, voxels).dimensions[1];
+  if (next.rows == next.band->grid.dimensions[1])
+  {
+    const GriddedVolume made = std::move(*next.band);
+    next.band.reset();
+    this->Add(number + 1, made, loop);
+  }
+}
 
 NxvBandWriter::NxvBandWriter(
   const std::filesystem::path& path, const GridSpecification& grid, const NxvWriteOptions& options)
-  : impl(new Impl{path, options.encoding == NxvEncoding::Float, {}, NxvBrickArrays(grid)})
+  : impl(new Impl{path, options.encoding == NxvEncoding::Float, {}, {}})
 {
   impl->header.volume.grid = grid;
+  impl->levels.emplace_back(grid, VoxelsInOne{1, 1, 1});
+  for (const VoxelsInOne& voxels : CoarserLevels(grid))
+  {
+    impl->levels.emplace_back(CoarserGrid(grid, voxels), voxels);
+  }
 }
 
 NxvBandWriter::~NxvBandWriter() = default;
@@ -422,28 +493,28 @@ void NxvBandWriter::Add(const GriddedVolume& band, const RangeLoop& loop)
   const GridSpecification grid = impl->header.volume.grid;
   impl->header.volume = WithoutVoxels(band);
   impl->header.volume.grid = grid;
-  BandContent content(impl->arrays);
-  if (band.grid != PartOf(grid, impl->arrays.BeginBand(loop)))
-  {
-    throw Error(impl->path.string() + ": bands must have " + std::to_string(Rows) +
-                " rows of the grid each, from the first row on");
-  }
-  AddBand(content, band, impl->exact);
-  for (const GriddedVolume& further : band.further)
-  {
-    AddBand(content, further, impl->exact);
-  }
-  impl->arrays.EndBand();
+  impl->Add(0, band, loop);
 }
 
 void NxvBandWriter::Commit()
 {
-  impl->header.arrays = impl->arrays.Finish();
   Payload payload;
-  for (std::size_t i = 0; i < impl->header.arrays.size(); ++i)
+  for (Impl::Level& level : impl->levels)
   {
-    payload.push_back(&impl->arrays.IndexOf(i));
-    payload.push_back(&impl->arrays.BricksOf(i));
+    std::vector<NxvArray> arrays = level.arrays.Finish();
+    for (std::size_t i = 0; i < arrays.size(); ++i)
+    {
+      payload.push_back(&level.arrays.IndexOf(i));
+      payload.push_back(&level.arrays.BricksOf(i));
+    }
+    if (&level == &impl->levels.front())
+    {
+      impl->header.arrays = std::move(arrays);
+    }
+    else
+    {
+      impl->header.levels.push_back({level.voxels, std::move(arrays)});
+    }
   }
   WriteFile(impl->path, impl->header, payload);
 }

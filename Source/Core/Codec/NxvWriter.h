@@ -39,7 +39,8 @@ void WriteNxv(const std::filesystem::path& path, const GriddedVolume& volume,
 
 /// Writes one volume in bricks (Documentation/Formats/nxv.md) from bands of its rows, of which one
 /// alone is there at a time. A brick of voxels that are alike takes eight bytes before these are
-/// compressed. Memory and file grow with what the volume holds, not with the grid.
+/// compressed. Memory and file grow with what the volume holds, not with the grid. The volume in
+/// larger voxels follows (CoarserLevels).
 ///
 /// Codes are those of WriteNxv, but velocities always have two bytes, and ages and weights are
 /// exact. Not for NxvEncoding::Thesis.

@@ -43,20 +43,37 @@ double LengthOfUnit(const GridSpecification& domain, int axis, double middleY)
   return axis == 0 ? MetresPerDegree * std::cos(middleY * RadiansPerDegree) : MetresPerDegree;
 }
 
-// Voxels from the domain's lower face on, of which the box has those that it covers by half.
+// Of the voxels of an axis those that a part of it covers by half, and at least one.
+void CoverAlong(const GridSpecification& grid, int axis, const Span& part, VoxelBlock& block)
+{
+  const double lower = DomainAlong(grid, axis).lower;
+  const auto voxelsTo = [&](double place)
+  { return static_cast<int>(std::round((place - lower) / grid.spacing[axis])); };
+  const int last = grid.dimensions[axis] - 1;
+  block.begin[axis] = std::min(voxelsTo(part.lower), last);
+  block.end[axis] = std::clamp(voxelsTo(part.upper), block.begin[axis] + 1, grid.dimensions[axis]);
+}
+
+// The part of the box that lies in the domain.
+Span CheckedPart(const GridSpecification& domain, const BoxRequest& request, int axis)
+{
+  const Span part = PartAlong(domain, request, axis);
+  if (!(part.upper > part.lower))
+  {
+    throw Error("the box does not lie over the domain");
+  }
+  return part;
+}
+
+// Voxels from the domain's lower face on.
 void SetAxis(FinerBox& box, int axis, const Span& domain, const Span& part, double spacing)
 {
-  const auto voxelsTo = [&](double place)
-  { return static_cast<int>(std::round((place - domain.lower) / spacing)); };
   constexpr double rounding = 1e-6; // of a voxel
   const double count = (domain.upper - domain.lower) / spacing;
   box.grid.spacing[axis] = spacing;
   box.grid.origin[axis] = domain.lower + 0.5 * spacing;
   box.grid.dimensions[axis] = std::max(1, static_cast<int>(std::ceil(count - rounding)));
-  const int last = box.grid.dimensions[axis] - 1;
-  box.block.begin[axis] = std::min(voxelsTo(part.lower), last);
-  box.block.end[axis] =
-    std::clamp(voxelsTo(part.upper), box.block.begin[axis] + 1, box.grid.dimensions[axis]);
+  CoverAlong(box.grid, axis, part, box.block);
 }
 
 // By whole voxels, as far as the grid reaches.
@@ -113,11 +130,7 @@ FinerBox MakeFinerBox(
   for (const int axis : {0, 1})
   {
     const Span whole = DomainAlong(domain, axis);
-    const Span part = PartAlong(domain, request, axis);
-    if (!(part.upper > part.lower))
-    {
-      throw Error("the box does not lie over the domain");
-    }
+    const Span part = CheckedPart(domain, request, axis);
     const double spacing = std::max(request.spacing / LengthOfUnit(domain, axis, middleY),
       (part.upper - part.lower) / request.mostVoxels);
     SetAxis(box, axis, whole, part, spacing);
@@ -126,6 +139,22 @@ FinerBox MakeFinerBox(
   const Span heights = DomainAlong(domain, 2);
   SetAxis(box, 2, heights, heights, request.spacing);
   return box;
+}
+
+VoxelBlock VoxelsOfBox(const GridSpecification& grid, const BoxRequest& request)
+{
+  VoxelBlock block = VoxelBlock::Of(grid);
+  for (const int axis : {0, 1})
+  {
+    CoverAlong(grid, axis, CheckedPart(grid, request, axis), block);
+  }
+  return block;
+}
+
+bool IsFinerThanAsked(const GridSpecification& grid, const BoxRequest& request)
+{
+  const double middleY = 0.5 * (request.faces[2] + request.faces[3]);
+  return 2.0 * grid.spacing[0] * LengthOfUnit(grid, 0, middleY) <= request.spacing;
 }
 
 } // namespace nexrad

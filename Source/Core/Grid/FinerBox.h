@@ -17,7 +17,8 @@ struct BoxRequest
   std::array<double, 4> faces = {0.0, 0.0, 0.0, 0.0}; ///< west, east, south, north: x and y of the
                                                       ///< domain, m or degrees
   double spacing = 250.0;                             ///< m, side of a voxel; above 0
-  int mostVoxels = 240; ///< along x and along y, from 1 on; a wider box has larger voxels
+  int mostVoxels = 240; ///< along x and along y, from 1 on; a wider box that is merged has larger
+                        ///< voxels
   std::optional<Time> followedFrom =
     std::nullopt; ///< when the box has these faces: before and after, it moves
                   ///< with the echo in it. Empty: it stays
@@ -44,6 +45,13 @@ struct FinerBox
 /// out of their ranges.
 FinerBox MakeFinerBox(const GridSpecification& domain, const BoxRequest& request,
   const std::array<double, 2>& moved = {0.0, 0.0});
+
+/// The voxels of a grid over the domain that the part of the box in it covers by half. Throws Error
+/// when no part of the box lies in the domain.
+VoxelBlock VoxelsOfBox(const GridSpecification& grid, const BoxRequest& request);
+
+/// Whether the voxels of a grid are at most half as wide as those that the box asks for.
+bool IsFinerThanAsked(const GridSpecification& grid, const BoxRequest& request);
 
 /// How far a box can move along x and y within the domain: towards west, east, south and north, in
 /// the domain's units; west and south are 0 or less.

@@ -222,6 +222,7 @@ bool BackgroundSeries::Open()
     news.damage = this->Damage();
     news.moments = opened.series->Moments();
     news.makesAncillary = opened.series->MakesAncillaryArrays();
+    news.leavesOutFiner = opened.series->LeavesOutFiner(opened.order.front());
     news.phase = Phase::Open;
   }
   catch (const std::exception& error)
@@ -300,6 +301,7 @@ void BackgroundSeries::TakeOver(Opened again)
   state.times = times;
   state.moments = opened.series->Moments();
   state.makesAncillary = opened.series->MakesAncillaryArrays();
+  state.leavesOutFiner = opened.series->LeavesOutFiner(opened.order.front());
 }
 
 std::vector<std::string> BackgroundSeries::Damage() const

@@ -62,6 +62,7 @@ public:
     std::vector<Time> times;          ///< of the steps, once the series is open
     std::vector<MomentName> moments;  ///< that the inputs hold, as far as they are known
     bool makesAncillary = false;      ///< VolumeSeries::MakesAncillaryArrays
+    bool leavesOutFiner = false;      ///< VolumeSeries::LeavesOutFiner, of the first step
     std::vector<std::string> damage;  ///< inputs that were damaged or left out so far, a line each
     std::vector<bool> loaded;         ///< which of the steps are in memory
     std::optional<std::size_t> loads; ///< the step that is being loaded

@@ -114,8 +114,8 @@ std::unique_ptr<VolumeSeries> OpenInputs(const InputRequest& request, const Prog
   const std::vector<MomentName> moments = request.grid.Moments();
   if (AreVolumes(request.inputs))
   {
-    return OpenVolumeFiles(
-      request.inputs, {request.momentNamed ? moments : std::vector<MomentName>(), colours, false});
+    return OpenVolumeFiles(request.inputs,
+      {request.momentNamed ? moments : std::vector<MomentName>(), colours, false, request.boxUnit});
   }
   if (request.box)
   {

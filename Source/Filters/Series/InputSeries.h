@@ -28,7 +28,7 @@ struct InputRequest
   MergeOptions grid;                         ///< for radar files; its begin and end for both
   bool momentNamed = false;      ///< the moments of `grid` are those to read of volumes as well
   std::string colourBy;          ///< SceneOptions::colourBy
-  std::optional<BoxRequest> box; ///< merged again in finer voxels, of radar files
+  std::optional<BoxRequest> box; ///< drawn in finer voxels
   PlaceUnit boxUnit = PlaceUnit::OfVolume; ///< of the faces of `box`
 };
 

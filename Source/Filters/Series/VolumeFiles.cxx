@@ -2,6 +2,7 @@
 #include "Filters/Series/VolumeFiles.h"
 
 #include "nexrad/Codec/NxvFile.h"
+#include "nexrad/Grid/FinerBox.h"
 #include "nexrad/Grid/GridText.h"
 #include "nexrad/Grid/VolumeMoments.h"
 #include "nexrad/System/Error.h"
@@ -20,6 +21,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <set>
 #include <system_error>
@@ -93,6 +95,16 @@ VolumeDescription Describe(const fs::path& path)
 // the graphics memory.
 constexpr std::size_t pictureBytesPerVoxel = 4;
 
+// What a picture takes of a graphics card unless it cannot be drawn with less.
+constexpr std::size_t textureMemory = std::size_t(256) << 20;
+constexpr int mostAlongAxis = 2048; // voxels of a texture: OpenGL 4.1 has as many or more
+
+bool FitsInTexture(const VoxelBlock& block, std::size_t bytesPerVoxel)
+{
+  const int most = std::max({block.Size(0), block.Size(1), block.Size(2)});
+  return most <= mostAlongAxis && block.VoxelCount() * bytesPerVoxel <= textureMemory;
+}
+
 // A volume file, and the index that names it; without one, an empty path.
 struct TimedFile
 {
@@ -156,7 +168,7 @@ void AddFolder(TimedFiles& files, const fs::path& folder)
 
 // Of the moments that a file has, those that are read, the one that is shown first.
 std::vector<MomentName> ChooseMoments(
-  const MomentRequest& request, const std::vector<MomentName>& own)
+  const VolumeFileRequest& request, const std::vector<MomentName>& own)
 {
   std::vector<MomentName> chosen = request.moments;
   const auto add = [&chosen](MomentName moment)
@@ -221,9 +233,9 @@ vtkSmartPointer<vtkImageData> Showing(
 class VolumeFiles : public VolumeSeries
 {
 public:
-  VolumeFiles(TimedFiles timedFiles, MomentRequest momentRequest)
+  VolumeFiles(TimedFiles timedFiles, VolumeFileRequest fileRequest)
     : files(std::move(timedFiles))
-    , request(std::move(momentRequest))
+    , request(std::move(fileRequest))
   {
     std::stable_sort(
       files.begin(), files.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
@@ -247,6 +259,19 @@ public:
       files[index], [this](const fs::path& path) { return this->LoadFile(path); });
   }
 
+  vtkSmartPointer<vtkImageData> LoadBox(
+    std::size_t index, const BoxRequest& box, const Progress&) override
+  {
+    return NamingTheIndex(
+      files[index], [&](const fs::path& path) { return this->LoadBoxOfFile(path, box); });
+  }
+
+  bool LeavesOutFiner(std::size_t index) const override
+  {
+    return NamingTheIndex(files[index], [this](const fs::path& path)
+      { return EndsWith(path, ".nxv") && this->FindWhole(path).Level > 0; });
+  }
+
   std::string Contents(std::size_t index) const override
   {
     const fs::path& path = files[index].path;
@@ -264,15 +289,72 @@ private:
     {
       return Showing(request.moments, ReadVti(path));
     }
+    return this->ReadPart(this->FindWhole(path));
+  }
+
+  vtkSmartPointer<vtkImageData> LoadBoxOfFile(const fs::path& path, const BoxRequest& box) const
+  {
+    if (EndsWith(path, ".vti"))
+    {
+      throw Error("a box is drawn in finer voxels of .nxv files and radar files alone");
+    }
+    if (box.followedFrom)
+    {
+      throw Error("a box moves with the echo of radar files alone; leave out --follow-from");
+    }
+    CheckPlaceUnit(request.boxUnit, PlaceUnitOf(ReadNxvHeader(path).grid.axes), "the box is");
+    return this->ReadPart(this->FindBox(path, box));
+  }
+
+  // Of the finest level of which the block that `blockOf` names fits in the texture memory, that
+  // block; without one, of the coarsest. Nothing is asked of the first `from` levels.
+  vtkNexradVolumeFile FindPart(const fs::path& path, const std::vector<GridSpecification>& levels,
+    std::size_t from, const std::function<VoxelBlock(const GridSpecification&)>& blockOf) const
+  {
+    vtkNexradVolumeFile file;
+    file.FileName = path.string();
+    file.Moments = ChooseMoments(request, ReadNxvMoments(path));
+    file.Codes = codes;
+    file.BytesBesides = pictureBytesPerVoxel;
+    file.Level = from;
+    NxvReadOptions options;
+    options.moments = file.Moments;
+    const std::size_t bytes =
+      file.Codes && HasNxvCodes(path, options) ? 1 : sizeof(float) * file.Moments.size();
+    while (file.Level + 1 < levels.size() && !FitsInTexture(blockOf(levels[file.Level]), bytes))
+    {
+      ++file.Level;
+    }
+    file.Block = blockOf(levels[file.Level]);
+    return file;
+  }
+
+  vtkNexradVolumeFile FindWhole(const fs::path& path) const
+  {
+    return this->FindPart(path, ReadNxvLevels(path), 0, VoxelBlock::Of);
+  }
+
+  vtkNexradVolumeFile FindBox(const fs::path& path, const BoxRequest& box) const
+  {
+    const std::vector<GridSpecification> levels = ReadNxvLevels(path);
+    std::size_t from = 0;
+    while (from + 1 < levels.size() && IsFinerThanAsked(levels[from], box))
+    {
+      ++from;
+    }
+    return this->FindPart(path, levels, from,
+      [&box](const GridSpecification& level) { return VoxelsOfBox(level, box); });
+  }
+
+  static vtkSmartPointer<vtkImageData> ReadPart(const vtkNexradVolumeFile& file)
+  {
     auto image = vtkSmartPointer<vtkImageData>::New();
-    vtkNexradReadVolumeFile({path.string(), {}, ChooseMoments(request, ReadNxvMoments(path)), codes,
-                              pictureBytesPerVoxel},
-      image);
+    vtkNexradReadVolumeFile(file, image);
     return image;
   }
 
   TimedFiles files;
-  const MomentRequest request;
+  const VolumeFileRequest request;
   std::vector<Time> times;
   std::atomic<bool> codes = false;
 };
@@ -302,7 +384,7 @@ bool AreVolumes(const std::vector<fs::path>& paths)
 }
 
 std::unique_ptr<VolumeSeries> OpenVolumeFiles(
-  const std::vector<fs::path>& inputs, const MomentRequest& request)
+  const std::vector<fs::path>& inputs, const VolumeFileRequest& request)
 {
   TimedFiles files;
   for (const fs::path& input : inputs)

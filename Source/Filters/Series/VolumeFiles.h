@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Filters/Series/VolumeSeries.h"
+#include "nexrad/Grid/PlaceUnit.h"
 #include "nexrad/Model/Moment.h"
 
 #include <filesystem>
@@ -19,17 +20,21 @@ bool HoldsVolumes(const std::filesystem::path& path);
 /// True when all of the paths name merged volumes, false when none does. Throws Error when some do.
 bool AreVolumes(const std::vector<std::filesystem::path>& paths);
 
-/// Which moments of volume files are read, where a file has several.
-struct MomentRequest
+/// What of volume files is read.
+struct VolumeFileRequest
 {
-  std::vector<MomentName> moments;   ///< the first is shown; empty: the file's first one
-  std::optional<MomentName> colours; ///< read beside them
-  bool all = false;                  ///< read the file's other moments as well
+  std::vector<MomentName> moments;         ///< the first is shown; empty: the file's first one
+  std::optional<MomentName> colours;       ///< read beside them
+  bool all = false;                        ///< read the file's other moments as well
+  PlaceUnit boxUnit = PlaceUnit::OfVolume; ///< of the faces of boxes
 };
 
-/// Reads merged volumes from files, from an index of a series, or from folders of them. Throws
-/// Error when one of them does not exist or is none; Load, for a moment that a file does not have.
-std::unique_ptr<VolumeSeries> OpenVolumeFiles(
-  const std::vector<std::filesystem::path>& inputs, const MomentRequest& request = {{}, {}, true});
+/// Reads merged volumes from files, from an index of a series, or from folders of them. Of a file
+/// that has its volume in voxels of several sizes, Load and LoadBox read the smallest ones that fit
+/// in 256 MiB of texture memory, with at most 2048 voxels along each axis. Throws Error when an
+/// input does not exist or is none; Load, for a moment that a file does not have; LoadBox, for a
+/// box that moves or lies beside the volume, and for files that are not .nxv.
+std::unique_ptr<VolumeSeries> OpenVolumeFiles(const std::vector<std::filesystem::path>& inputs,
+  const VolumeFileRequest& request = {{}, {}, true});
 
 } // namespace nexrad

@@ -39,12 +39,13 @@ public:
     return this->Load(index, {});
   }
 
-  /// A box of the domain at one of the times, merged again in finer voxels. Empty when `progress`
-  /// asked to stop. Throws Error when it cannot be made: volume files have no rays to make it of.
-  virtual vtkSmartPointer<vtkImageData> LoadBox(std::size_t, const BoxRequest&, const Progress&)
-  {
-    throw Error("a box is merged again from radar files alone: volume files hold no rays");
-  }
+  /// A box of the domain at one of the times, in finer voxels: merged again, or read from a file
+  /// that has them. Empty when `progress` asked to stop. Throws Error when it cannot be made.
+  virtual vtkSmartPointer<vtkImageData> LoadBox(
+    std::size_t index, const BoxRequest& box, const Progress& progress) = 0;
+
+  /// Whether Load leaves out finer voxels that the files have: LoadBox reads them. No by default.
+  virtual bool LeavesOutFiner(std::size_t) const { return false; }
 
   /// Whether Load may give codes in place of values (vtkNexradImageConversion.h), which are read
   /// and uploaded faster. No by default; a series that knows no codes takes no notice. True when

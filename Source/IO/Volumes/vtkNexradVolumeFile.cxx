@@ -13,6 +13,7 @@ void vtkNexradReadVolumeFile(const vtkNexradVolumeFile& file, vtkImageData* imag
   options.moments = file.Moments;
   options.loop = vtkNexradRangeLoop();
   options.block = file.Block;
+  options.level = file.Level;
   if (!nexrad::HasNxvCodes(file.FileName, options, !file.Codes))
   {
     vtkNexradVolumeToImage(nexrad::ReadNxv(file.FileName, options), image);

@@ -34,8 +34,10 @@ struct vtkNexradVolumeFile
   /// Bytes that the caller makes of each voxel of the image; with the image's own they count for
   /// the limit of memory (nexrad::NxvReadOptions).
   std::size_t BytesBesides = 0;
-  /// The part of the grid to read; empty: all. The image is one of the part alone.
+  /// The part of the level's grid to read; empty: all. The image is one of the part alone.
   std::optional<nexrad::VoxelBlock> Block = {};
+  /// Which of nexrad::ReadNxvLevels is read.
+  std::size_t Level = 0;
 };
 
 /**

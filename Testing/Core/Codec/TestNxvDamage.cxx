@@ -46,7 +46,17 @@ public:
   std::string ErrorOf(const std::string& content) const
   {
     this->Write(content);
-    return MessageOf([&] { last = ReadNxv(path); });
+    return MessageOf(
+      [&]
+      {
+        last = ReadNxv(path);
+        for (std::size_t level = ReadNxvLevels(path).size() - 1; level > 0; --level)
+        {
+          NxvReadOptions options;
+          options.level = level;
+          ReadNxv(path, options);
+        }
+      });
   }
 
   const GriddedVolume& Last() const { return last; }
@@ -110,10 +120,13 @@ std::vector<std::string> GoodFiles()
     WriteNxv(folder.Path() / "a.nxv", volume, options);
     files.push_back(FileContent(folder.Path() / "a.nxv"));
   }
-  NxvBandWriter bricks(folder.Path() / "a.nxv", volume.grid);
-  bricks.Add(volume);
-  bricks.Commit();
-  files.push_back(FileContent(folder.Path() / "a.nxv"));
+  for (const GriddedVolume& each : {volume, MakeGriddedVolume({513, 2, 1})}) // the second in levels
+  {
+    NxvBandWriter bricks(folder.Path() / "a.nxv", each.grid);
+    bricks.Add(each);
+    bricks.Commit();
+    files.push_back(FileContent(folder.Path() / "a.nxv"));
+  }
   return files;
 }
 
@@ -204,6 +217,34 @@ TEST(NxvDamage, AFlippedBitIsFoundOrHarmless)
     }
     EXPECT_AT_MOST(unnoticed, sizeof(",\"header_crc32\":"), "bytes whose change goes unnoticed");
   }
+}
+
+// Levels whose header or payloads contradict the volume or the file.
+TEST(NxvDamage, LevelsMustFitTheFile)
+{
+  const Damaged file;
+  NxvHeader header = SmallHeader();
+  NxvArray coarse = header.arrays[0];
+  const std::string payload = "\x81"; // of 1 x 1 x 1 voxel
+  coarse.length = payload.size();
+  coarse.crc32 = Crc32(reinterpret_cast<const std::uint8_t*>(payload.data()), payload.size());
+  const auto errorOf =
+    [&](const VoxelsInOne& voxels, const std::vector<NxvArray>& arrays, const std::string& end)
+  {
+    header.levels = {{voxels, arrays}};
+    return file.ErrorOf(FileOf(header, {"\x81\x82\x83\x84"}) + end);
+  };
+  EXPECT_EQ(errorOf({2, 2, 1}, {coarse}, payload), "");
+  EXPECT_NE(errorOf({2, 2, 1}, {coarse}, "").find("should have 1 bytes, the file has 0"),
+    std::string::npos);
+  EXPECT_NE(errorOf({2, 2, 1}, {coarse}, payload + "x").find("1 bytes after the last array"),
+    std::string::npos);
+  EXPECT_NE(errorOf({2, 1, 1}, {coarse}, payload), "") << "two voxels, of which one is there";
+  EXPECT_NE(errorOf({2, 2, 0}, {coarse}, payload).find("must be 1 to 2^16"), std::string::npos);
+  EXPECT_NE(errorOf({2, -2, 1}, {coarse}, payload), "");
+  EXPECT_NE(errorOf({2, 2, 1}, {}, payload).find("must be a moment"), std::string::npos);
+  coarse.name = "VEL";
+  EXPECT_NE(errorOf({2, 2, 1}, {coarse}, payload), "");
 }
 
 TEST(NxvDamage, StreamsThatDoNotFitTheGridAreErrors)

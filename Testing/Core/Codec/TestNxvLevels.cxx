@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The coarser levels of a volume in bricks are what the rule says of the voxels that they replace.
+#include "nexrad/Codec/NxvFile.h"
+#include "nexrad/Codec/NxvLevels.h"
+#include "nexrad/Grid/VolumeMoments.h"
+
+#include "Comparison/VolumeComparison.h"
+#include "ErrorMessage.h"
+#include "TestData.h"
+#include "Tolerance.h"
+#include "VolumeMaker.h"
+#include "VolumePart.h"
+#include "nexrad/System/Error.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+using namespace nexrad;
+using nexrad::testing::ExpectSameVolume;
+using nexrad::testing::MakeGriddedVolume;
+using nexrad::testing::MessageOf;
+using nexrad::testing::TakePart;
+using nexrad::testing::TemporaryFolder;
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+// Blocks of one state, echo among them that changes from voxel to voxel, and single voxels of
+// other states.
+GriddedVolume MakeVolume(MomentName moment, const std::array<int, 3>& dimensions)
+{
+  GriddedVolume volume = MakeGriddedVolume(dimensions);
+  volume.moment = moment;
+  std::mt19937 random(static_cast<unsigned>(moment) + 5U);
+  std::uniform_int_distribution<int> hundred(0, 99);
+  std::size_t i = 0;
+  for (int z = 0; z < dimensions[2]; ++z)
+  {
+    for (int y = 0; y < dimensions[1]; ++y)
+    {
+      for (int x = 0; x < dimensions[0]; ++x, ++i)
+      {
+        const int place = x / 9 + y / 5 + z / 4;
+        const int chance = hundred(random);
+        volume.states[i] = chance == 0                    ? VoxelState::RangeFolded
+                           : chance == 1                  ? VoxelState::Filtered
+                           : place % 3 == 0 || chance < 5 ? VoxelState::NotScanned
+                           : place % 3 == 1               ? VoxelState::NoEcho
+                                                          : VoxelState::Echo;
+        volume.values[i] = volume.states[i] == VoxelState::Echo
+                             ? static_cast<float>(hundred(random)) / 2.0F
+                             : volume.fill;
+      }
+    }
+  }
+  return volume;
+}
+
+struct Expected
+{
+  VoxelState state = VoxelState::NotScanned;
+  double value = 0.0;
+};
+
+// What a voxel is in place of those of a block, written down anew.
+Expected OneOf(const GriddedVolume& volume, const VoxelBlock& block)
+{
+  std::vector<VoxelState> states;
+  std::vector<double> echo;
+  const auto& [nx, ny, nz] = volume.grid.dimensions;
+  for (int z = block.begin[2]; z < block.end[2]; ++z)
+  {
+    for (int y = block.begin[1]; y < block.end[1]; ++y)
+    {
+      for (int x = block.begin[0]; x < block.end[0]; ++x)
+      {
+        const auto i = static_cast<std::size_t>(x + nx * (y + ny * z));
+        states.push_back(volume.states[i]);
+        if (volume.states[i] == VoxelState::Echo)
+        {
+          echo.push_back(static_cast<double>(volume.values[i]));
+        }
+      }
+    }
+  }
+  const auto count = [&states](VoxelState state)
+  { return std::count(states.begin(), states.end(), state); };
+  for (const VoxelState state : {VoxelState::RangeFolded, VoxelState::Filtered})
+  {
+    if (count(state) > 0 && count(VoxelState::Echo) + count(VoxelState::NoEcho) == 0)
+    {
+      return {state, 0.0};
+    }
+  }
+  if (count(VoxelState::Echo) == 0)
+  {
+    return {count(VoxelState::NoEcho) > 0 ? VoxelState::NoEcho : VoxelState::NotScanned, 0.0};
+  }
+  if (volume.moment == MomentName::VEL)
+  {
+    return {VoxelState::Echo, echo.front()};
+  }
+  double sum = 0.0;
+  for (const double value : echo)
+  {
+    sum += volume.moment == MomentName::REF ? std::pow(10.0, value / 10.0) : value;
+  }
+  const auto echoes = static_cast<double>(echo.size());
+  const auto measured = echoes + static_cast<double>(count(VoxelState::NoEcho));
+  return {VoxelState::Echo,
+    volume.moment == MomentName::REF ? 10.0 * std::log10(sum / measured) : sum / echoes};
+}
+
+GriddedVolume HalveAnew(const GriddedVolume& fine, const VoxelsInOne& voxels)
+{
+  GriddedVolume coarse = VolumeLike(fine, CoarserGrid(fine.grid, voxels));
+  std::size_t i = 0;
+  const auto& [nx, ny, nz] = coarse.grid.dimensions;
+  for (int z = 0; z < nz; ++z)
+  {
+    for (int y = 0; y < ny; ++y)
+    {
+      for (int x = 0; x < nx; ++x, ++i)
+      {
+        VoxelBlock block{{x * voxels[0], y * voxels[1], z * voxels[2]}, {}};
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          block.end[axis] = std::min(block.begin[axis] + voxels[axis], fine.grid.dimensions[axis]);
+        }
+        const Expected expected = OneOf(fine, block);
+        coarse.states[i] = expected.state;
+        coarse.values[i] =
+          expected.state == VoxelState::Echo ? static_cast<float>(expected.value) : coarse.fill;
+      }
+    }
+  }
+  return coarse;
+}
+
+void WriteLevels(const fs::path& path, const GriddedVolume& volume, NxvEncoding encoding)
+{
+  NxvBandWriter writer(path, volume.grid, NxvWriteOptions{encoding});
+  for (int row = 0; row < volume.grid.dimensions[1]; row += NxvBandWriter::Rows)
+  {
+    VoxelBlock rows = VoxelBlock::Of(volume.grid);
+    rows.begin[1] = row;
+    rows.end[1] = std::min(row + NxvBandWriter::Rows, volume.grid.dimensions[1]);
+    writer.Add(TakePart(volume, rows), ThreadLoop(2));
+  }
+  writer.Commit();
+}
+
+double LargestDifference(const GriddedVolume& a, const GriddedVolume& b)
+{
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.values.size(); ++i)
+  {
+    largest = std::max(largest, static_cast<double>(std::abs(a.values[i] - b.values[i])));
+  }
+  return largest;
+}
+
+NxvReadOptions OfLevel(std::size_t level)
+{
+  NxvReadOptions options;
+  options.level = level;
+  return options;
+}
+
+} // namespace
+
+TEST(NxvLevels, HalveUntilTheyAreSmall)
+{
+  GridSpecification grid;
+  grid.dimensions = {7000, 3500, 33};
+  EXPECT_EQ(
+    CoarserLevels(grid), (std::vector<VoxelsInOne>{{2, 2, 2}, {4, 4, 2}, {8, 8, 2}, {16, 16, 2}}));
+  EXPECT_EQ(CoarserGrid(grid, {16, 16, 2}).dimensions, (std::array<int, 3>{438, 219, 17}));
+  grid.dimensions = {512, 512, 4000};
+  EXPECT_TRUE(CoarserLevels(grid).empty());
+  grid.dimensions = {10, 1025, 1};
+  EXPECT_EQ(CoarserLevels(grid), (std::vector<VoxelsInOne>{{2, 2, 1}, {4, 4, 1}}));
+}
+
+// The lower faces stay where they are.
+TEST(NxvLevels, LieOverTheSameDomain)
+{
+  GridSpecification grid;
+  grid.dimensions = {7, 6, 5};
+  grid.origin = {100.0, -20.0, 250.0};
+  grid.spacing = {10.0, 20.0, 500.0};
+  const GridSpecification coarse = CoarserGrid(grid, {2, 3, 1});
+  EXPECT_EQ(coarse.dimensions, (std::array<int, 3>{4, 2, 5}));
+  EXPECT_EQ(coarse.spacing, (std::array<double, 3>{20.0, 60.0, 500.0}));
+  EXPECT_EQ(coarse.origin, (std::array<double, 3>{105.0, 0.0, 250.0}));
+}
+
+TEST(NxvLevels, AreWhatTheirRuleSays)
+{
+  const TemporaryFolder folder;
+  const fs::path path = folder.Path() / "levels.nxv";
+  // Odd numbers of voxels, and bands of 64 and of 11 rows, of which halves are joined.
+  const std::pair<MomentName, std::array<int, 3>> volumes[] = {{MomentName::REF, {1031, 139, 33}},
+    {MomentName::VEL, {1027, 75, 3}}, {MomentName::RHO, {1025, 1, 5}}};
+  for (const auto& [moment, dimensions] : volumes)
+  {
+    const GriddedVolume volume = MakeVolume(moment, dimensions);
+    WriteLevels(path, volume, NxvEncoding::Float);
+    const std::vector<GridSpecification> grids = ReadNxvLevels(path);
+    ASSERT_EQ(grids.size(), 3U);
+    GriddedVolume expected = volume;
+    for (std::size_t level = 0; level < grids.size(); ++level)
+    {
+      const GriddedVolume read = ReadNxv(path, OfLevel(level));
+      EXPECT_EQ(read.grid, grids[level]);
+      EXPECT_EQ(read.states, expected.states);
+      EXPECT_AT_MOST(LargestDifference(read, expected), 1e-5, "of a value, in single precision");
+      expected = HalveAnew(expected, {2, 2, level == 0 && dimensions[2] == 33 ? 2 : 1});
+    }
+  }
+}
+
+// Of several moments, as codes: rounded once, however coarse.
+TEST(NxvLevels, AreRoundedToTheStepsOfTheRadar)
+{
+  const TemporaryFolder folder;
+  const fs::path path = folder.Path() / "levels.nxv";
+  const std::array<int, 3> dimensions = {1030, 70, 3};
+  const GriddedVolume volume =
+    JoinMoments({MakeVolume(MomentName::REF, dimensions), MakeVolume(MomentName::VEL, dimensions)});
+  WriteLevels(path, volume, NxvEncoding::RadarSteps);
+  GriddedVolume expected = volume;
+  expected.further.clear();
+  for (std::size_t level = 1; level < 3; ++level)
+  {
+    expected = HalveAnew(expected, {2, 2, 1});
+    const GriddedVolume read = ReadNxv(path, OfLevel(level));
+    EXPECT_EQ(read.states, expected.states);
+    EXPECT_AT_MOST(LargestDifference(read, expected), 0.2501, "dB, half a step");
+    ASSERT_EQ(read.further.size(), 1U);
+    EXPECT_EQ(read.further[0].grid, read.grid);
+    NxvReadOptions second = OfLevel(level);
+    second.moments = {MomentName::VEL};
+    EXPECT_EQ(ReadNxv(path, second).values, read.further[0].values);
+    second.moments = {MomentName::REF};
+    const std::optional<CodedVolume> codes = ReadNxvCodes(path, second);
+    ASSERT_TRUE(codes);
+    EXPECT_EQ(codes->volume.grid, read.grid);
+  }
+}
+
+TEST(NxvLevels, ABoxOfALevelIsThatPartOfIt)
+{
+  const TemporaryFolder folder;
+  const fs::path path = folder.Path() / "levels.nxv";
+  WriteLevels(path, MakeVolume(MomentName::REF, {1030, 140, 9}), NxvEncoding::RadarSteps);
+  const GriddedVolume whole = ReadNxv(path, OfLevel(1));
+  NxvReadOptions box = OfLevel(1);
+  box.block = VoxelBlock{{60, 3, 1}, {513, 70, 9}};
+  ExpectSameVolume(ReadNxv(path, box), TakePart(whole, *box.block));
+  box.block->end[0] = 516; // of the finer grid
+  EXPECT_NE(MessageOf([&] { ReadNxv(path, box); }).find("a grid that has 515"), std::string::npos);
+}
+
+TEST(NxvLevels, OneThatIsMissingIsRefused)
+{
+  const TemporaryFolder folder;
+  const fs::path path = folder.Path() / "whole.nxv";
+  WriteNxv(path, MakeGriddedVolume());
+  EXPECT_EQ(ReadNxvLevels(path).size(), 1U);
+  EXPECT_NE(MessageOf([&] { ReadNxv(path, OfLevel(1)); })
+              .find("whole.nxv: the file has no level 1; its levels are 0 to 0"),
+    std::string::npos);
+}
