@@ -3,6 +3,7 @@
 #include "EventCounter.h"
 #include "Scans/RadarsOfMissouri.h"
 #include "TestData.h"
+#include "VolumeMaker.h"
 
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Grid/VolumeMoments.h"
@@ -394,6 +395,44 @@ TEST(VolumeFiles, ABoxOfBricksIsPartOfTheWhole)
       EXPECT_EQ(part->GetPointData()->GetScalars()->GetTuple1(i),
         whole->GetPointData()->GetScalars()->GetTuple1(same));
     }
+  }
+}
+
+// Of a file that has the volume in voxels of several sizes, those of a level.
+TEST(VolumeFiles, ALevelIsReadInItsOwnVoxels)
+{
+  const TemporaryFolder folder;
+  const std::string path = (folder.Path() / "volume.nxv").string();
+  GriddedVolume volume = nexrad::testing::MakeGriddedVolume({1026, 3, 2});
+  nexrad::testing::AddAncillary(volume);
+  NxvBandWriter bricks(path, volume.grid);
+  bricks.Add(volume);
+  bricks.Commit();
+  vtkNew<vtkNexradVolumeReader> reader;
+  reader->SetFileName(path.c_str());
+  const int columns[] = {1026, 513, 257, 257}; // the last: there is no such level
+  for (int level = 0; level < 4; ++level)
+  {
+    reader->SetLevel(level);
+    reader->Update();
+    vtkImageData* image = reader->GetOutput();
+    EXPECT_EQ(image->GetDimensions()[0], columns[level]);
+    EXPECT_EQ(image->GetSpacing()[0], volume.grid.spacing[0] * (1 << std::min(level, 2)));
+    EXPECT_EQ(image->GetPointData()->HasArray("REF_age"), level == 0 ? 1 : 0);
+    EXPECT_EQ(reader->GetAncillaryArraySelection()->GetNumberOfArrays(), level == 0 ? 4 : 0);
+  }
+  int box[6] = {100, 120, 0, 0, 1, 1};
+  reader->SetLevel(1);
+  reader->Update();
+  vtkNew<vtkImageData> whole;
+  whole->DeepCopy(reader->GetOutput());
+  reader->Modified();
+  reader->UpdateExtent(box);
+  for (vtkIdType i = 0; i < reader->GetOutput()->GetNumberOfPoints(); ++i)
+  {
+    const vtkIdType same = whole->FindPoint(reader->GetOutput()->GetPoint(i));
+    EXPECT_EQ(reader->GetOutput()->GetPointData()->GetScalars()->GetTuple1(i),
+      whole->GetPointData()->GetScalars()->GetTuple1(same));
   }
 }
 

@@ -26,13 +26,19 @@ double Storm(double x, double y, double height)
 namespace
 {
 
-// The storm after it has moved so many km to the east.
-GriddedVolume MakeStorm(bool synthetic, double east)
+// The storm after it has moved so many km to the east, in voxels that are so many in a domain of
+// 480 × 480 × 20 km.
+GriddedVolume MakeStorm(
+  bool synthetic, double east, const std::array<int, 3>& dimensions = {48, 48, 16})
 {
+  constexpr std::array<double, 3> lengths = {480'000.0, 480'000.0, 20'000.0};
   GriddedVolume volume;
-  volume.grid.dimensions = {48, 48, 16};
-  volume.grid.spacing = {10'000.0, 10'000.0, 1'250.0};
-  volume.grid.origin = {-235'000.0, -235'000.0, 625.0};
+  volume.grid.dimensions = dimensions;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    volume.grid.spacing[axis] = lengths[axis] / dimensions[axis];
+    volume.grid.origin[axis] = 0.5 * (volume.grid.spacing[axis] - (axis < 2 ? lengths[axis] : 0.0));
+  }
   volume.grid.centreLatitude = 39.0;
   volume.grid.centreLongitude = -90.0;
   volume.time = *ParseIso8601("2006-03-12T18:30");
@@ -43,8 +49,10 @@ GriddedVolume MakeStorm(bool synthetic, double east)
   {
     const auto coordinate = [&](int axis, std::size_t index)
     { return volume.grid.Coordinate(axis, static_cast<int>(index)) / 1000.0; };
-    const double dBZ =
-      Storm(coordinate(0, i % 48) - east, coordinate(1, i / 48 % 48), coordinate(2, i / (48 * 48)));
+    const auto columns = static_cast<std::size_t>(dimensions[0]);
+    const auto rows = static_cast<std::size_t>(dimensions[1]);
+    const double dBZ = Storm(coordinate(0, i % columns) - east, coordinate(1, i / columns % rows),
+      coordinate(2, i / (columns * rows)));
     const bool echo = dBZ > 0.0;
     volume.values.push_back(echo ? static_cast<float>(dBZ) : volume.fill);
     volume.states.push_back(echo ? VoxelState::Echo : VoxelState::NoEcho);
@@ -79,6 +87,23 @@ std::filesystem::path WriteStormFiles(const std::filesystem::path& folder, int s
   }
   WriteNxvSeries(folder / "volumes.nxv.series", series);
   return folder / "volumes.nxv.series";
+}
+
+GriddedVolume MakeLargeStorm()
+{
+  GriddedVolume volume = MakeStorm(true, 0.0, {2100, NxvBandWriter::Rows, 16});
+  volume.method = "beam";
+  return volume;
+}
+
+std::filesystem::path WriteLargeStorm(const std::filesystem::path& folder)
+{
+  const GriddedVolume volume = MakeLargeStorm();
+  const std::filesystem::path path = folder / "large.nxv";
+  NxvBandWriter writer(path, volume.grid);
+  writer.Add(volume);
+  writer.Commit();
+  return path;
 }
 
 std::filesystem::path WriteTwoMoments(const std::filesystem::path& folder)

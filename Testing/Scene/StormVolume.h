@@ -24,6 +24,12 @@ vtkSmartPointer<vtkImageData> MakeStormVolume(bool synthetic);
 /// km to the east from one to the next. Written to a folder as .nxv files; returns their index.
 std::filesystem::path WriteStormFiles(const std::filesystem::path& folder, int steps);
 
+/// The storm of MakeStorm in 2100 × 64 × 16 voxels of 229 m × 7.5 km × 1.25 km.
+GriddedVolume MakeLargeStorm();
+/// It as a .nxv file in bricks, in folder/large.nxv, with coarser levels of 1050 × 32, 525 × 16 and
+/// 263 × 8 columns; its path.
+std::filesystem::path WriteLargeStorm(const std::filesystem::path& folder);
+
 /// The storm, and velocities from −24 to 24 m/s in it, as one .nxv file of REF and VEL; its path.
 std::filesystem::path WriteTwoMoments(const std::filesystem::path& folder);
 

@@ -230,7 +230,8 @@ void InflatePieces(const std::uint8_t* stream, const std::vector<std::uint64_t>&
 
 std::uint32_t Crc32(const std::uint8_t* data, std::size_t size, std::uint32_t before)
 {
-  return static_cast<std::uint32_t>(crc32_z(before, data, size));
+  // Of no bytes, zlib would give that of the beginning.
+  return size > 0 ? static_cast<std::uint32_t>(crc32_z(before, data, size)) : before;
 }
 
 } // namespace nexrad

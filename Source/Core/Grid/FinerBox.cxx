@@ -147,6 +147,11 @@ VoxelBlock VoxelsOfBox(const GridSpecification& grid, const BoxRequest& request)
   for (const int axis : {0, 1})
   {
     CoverAlong(grid, axis, CheckedPart(grid, request, axis), block);
+    if (block.Size(axis) < 2) // which would have no thickness
+    {
+      block.end[axis] = std::min(block.begin[axis] + 2, grid.dimensions[axis]);
+      block.begin[axis] = std::max(block.end[axis] - 2, 0);
+    }
   }
   return block;
 }

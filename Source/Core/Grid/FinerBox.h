@@ -46,8 +46,8 @@ struct FinerBox
 FinerBox MakeFinerBox(const GridSpecification& domain, const BoxRequest& request,
   const std::array<double, 2>& moved = {0.0, 0.0});
 
-/// The voxels of a grid over the domain that the part of the box in it covers by half. Throws Error
-/// when no part of the box lies in the domain.
+/// The voxels of a grid over the domain that the part of the box in it covers by half; two or more
+/// along x and y, where the grid has them. Throws Error when no part of the box lies in the domain.
 VoxelBlock VoxelsOfBox(const GridSpecification& grid, const BoxRequest& request);
 
 /// Whether the voxels of a grid are at most half as wide as those that the box asks for.

@@ -294,9 +294,9 @@ private:
 
   vtkSmartPointer<vtkImageData> LoadBoxOfFile(const fs::path& path, const BoxRequest& box) const
   {
-    if (EndsWith(path, ".vti"))
+    if (EndsWith(path, ".vti") || this->FindWhole(path).Level == 0)
     {
-      throw Error("a box is drawn in finer voxels of .nxv files and radar files alone");
+      throw Error("all of its voxels are drawn; finer ones are merged from radar files alone");
     }
     if (box.followedFrom)
     {

@@ -33,7 +33,7 @@ struct VolumeFileRequest
 /// that has its volume in voxels of several sizes, Load and LoadBox read the smallest ones that fit
 /// in 256 MiB of texture memory, with at most 2048 voxels along each axis. Throws Error when an
 /// input does not exist or is none; Load, for a moment that a file does not have; LoadBox, for a
-/// box that moves or lies beside the volume, and for files that are not .nxv.
+/// box that moves or lies beside the volume, and for a file whose finest voxels Load reads.
 std::unique_ptr<VolumeSeries> OpenVolumeFiles(const std::vector<std::filesystem::path>& inputs,
   const VolumeFileRequest& request = {{}, {}, true});
 

@@ -22,27 +22,40 @@ constexpr int raysAlong = 33; // of the picture, each way
 
 using Point = std::array<double, 3>;
 
-// The rays of a camera, from its near plane to its far one.
-class Rays
+// How places of the scene and of a picture belong together: the picture is from −1 to 1 each way,
+// and deep from −1 to 1.
+class PictureProjection
 {
 public:
-  Rays(vtkCamera* camera, double aspect)
+  PictureProjection(vtkCamera* camera, double aspect)
   {
-    // The clipping range is that of the scene when it was drawn last: here the volume counts.
-    inverse->DeepCopy(camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0));
+    matrix->DeepCopy(camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0));
+    inverse->DeepCopy(matrix);
     inverse->Invert();
   }
 
-  // At a place of the picture, −1…1 each way; depth −1 or 1.
-  Point At(double x, double y, double depth) const
+  Point ToScene(const Point& place) const
   {
-    const double given[4] = {x, y, depth, 1.0};
-    double point[4];
-    inverse->MultiplyPoint(given, point);
+    const std::array<double, 4> point = Multiply(inverse, place);
     return {point[0] / point[3], point[1] / point[3], point[2] / point[3]};
   }
 
+  bool Shows(const Point& point) const
+  {
+    const std::array<double, 4> place = Multiply(matrix, point);
+    return place[3] > 0.0 && std::abs(place[0]) <= place[3] && std::abs(place[1]) <= place[3];
+  }
+
 private:
+  static std::array<double, 4> Multiply(vtkMatrix4x4* by, const Point& point)
+  {
+    const double given[4] = {point[0], point[1], point[2], 1.0};
+    std::array<double, 4> product{};
+    by->MultiplyPoint(given, product.data());
+    return product;
+  }
+
+  vtkNew<vtkMatrix4x4> matrix;
   vtkNew<vtkMatrix4x4> inverse;
 };
 
@@ -72,8 +85,8 @@ std::optional<SeenPart> FindSeen(
   constexpr double endless = std::numeric_limits<double>::infinity();
   vtkNew<vtkCamera> camera;
   camera->DeepCopy(renderer->GetActiveCamera());
-  camera->SetClippingRange(1.0, 1.0e5);
-  const Rays rays(camera, static_cast<double>(size[0]) / size[1]);
+  camera->SetClippingRange(1.0, 1.0e5); // of the volume alone, wherever it is
+  const PictureProjection picture(camera, static_cast<double>(size[0]) / size[1]);
   SeenPart seen{{endless, -endless, endless, -endless}, endless};
   const auto add = [&](const Point& point)
   {
@@ -88,8 +101,8 @@ std::optional<SeenPart> FindSeen(
   {
     const double x = 2.0 * (i % raysAlong) / (raysAlong - 1) - 1.0;
     const double y = 2.0 * (i / raysAlong) / (raysAlong - 1) - 1.0;
-    const Point from = rays.At(x, y, -1.0);
-    const Point to = rays.At(x, y, 1.0);
+    const Point from = picture.ToScene({x, y, -1.0});
+    const Point to = picture.ToScene({x, y, 1.0});
     double t[2];
     Point in{};
     Point out{};
@@ -99,6 +112,14 @@ std::optional<SeenPart> FindSeen(
     {
       add(in);
       add(out);
+    }
+  }
+  for (std::size_t corner = 0; corner < 8; ++corner)
+  {
+    const Point point = {box[corner % 2], box[2 + corner / 2 % 2], box[4 + corner / 4]};
+    if (picture.Shows(point))
+    {
+      add(point);
     }
   }
   if (!(seen.pixel < endless))

@@ -17,8 +17,8 @@ struct SeenPart
 };
 
 /// The part of a box (west, east, south, north, bottom, top) that a picture of `size` pixels shows
-/// through a renderer's camera: that which holds all the rays of a grid of 33 × 33 over the picture
-/// that meet the box. Nothing where none does.
+/// through a renderer's camera: that which holds the corners that it shows, and what 33 × 33 rays
+/// through the picture, with their neighbours, meet of it. Nothing where it shows none.
 std::optional<SeenPart> FindSeen(
   vtkRenderer* renderer, const std::array<int, 2>& size, const std::array<double, 6>& box);
 

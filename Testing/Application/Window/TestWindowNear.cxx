@@ -380,3 +380,40 @@ TEST_F(NearStorm, ABoxOfVolumeFilesIsRefusedInOneLine)
   EXPECT_TRUE(window->Problems().join("").contains("from radar files alone"));
   EXPECT_FALSE(window->Player()->HasBox());
 }
+
+// A volume that is in its file in finer voxels than are shown: those are read where the picture
+// rests, and a box of the user goes before them.
+TEST_F(NearWindow, VoxelsAreAsFineAsThePixelsOnceThePictureRests)
+{
+  request.input.inputs = {WriteLargeStorm(folder.Path())};
+  this->OpenWindow();
+  ASSERT_TRUE(this->Wait([this] { return this->Scene()->GetVolume() != nullptr; }));
+  const auto finest = [this]
+  {
+    vtkImageData* detail = this->Scene()->GetDetail();
+    return detail != nullptr && detail->GetSpacing()[0] < 230.0;
+  };
+  EXPECT_GT(this->Scene()->GetVolume()->GetSpacing()[0], 450.0);
+  this->Wheel(this->Middle(), 24);
+  ASSERT_TRUE(this->Wait(finest));
+  EXPECT_FALSE(window->Player()->HasBox());
+  const double west = this->Scene()->GetDetail()->GetBounds()[0];
+  this->Drag(this->Middle(), this->Middle() + QPoint(120, 0), Qt::MiddleButton);
+  ASSERT_TRUE(this->Wait(
+    [&] { return finest() && this->Scene()->GetDetail()->GetBounds()[0] < west - 1'000.0; }))
+    << "what is seen now";
+  window->grab().save(QString(NEXRAD_TEST_OUTPUT_DIR) + "/WindowLarge.png");
+
+  this->Drag(this->Middle() + QPoint(-40, 20), this->Middle() + QPoint(40, -20), Qt::LeftButton,
+    Qt::ControlModifier);
+  ASSERT_TRUE(window->Player()->HasBox());
+  ASSERT_TRUE(this->Wait(
+    [&]
+    {
+      return finest() && this->Scene()->GetDetail()->GetDimensions()[0] < 400 &&
+             !window->Player()->Seen();
+    }));
+  QTest::keyClick(this->View(), Qt::Key_Escape);
+  EXPECT_FALSE(window->Player()->HasBox());
+  EXPECT_TRUE(this->Wait([&] { return window->Player()->Seen() && finest(); }));
+}

@@ -227,6 +227,8 @@ TEST(NxvBricks, WhatIsAlikeTakesNoSpace)
   }
   writer.Commit();
   EXPECT_AT_MOST(fs::file_size(folder.Path() / "empty.nxv"), 900U, "bytes of an empty volume");
+  const GriddedVolume read = ReadNxv(folder.Path() / "empty.nxv");
+  EXPECT_EQ(read.states, std::vector<VoxelState>(grid.VoxelCount(), VoxelState::NotScanned));
 }
 
 TEST(NxvBricks, BandsMustBeThoseOfTheGrid)

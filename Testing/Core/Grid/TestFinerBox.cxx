@@ -42,6 +42,25 @@ TEST(FinerBox, BoxesOfOneSizeHaveOneGrid)
   EXPECT_NEAR(PartOf(other.grid, other.block).origin[0] - 125.0, -31'110.0, 125.0);
 }
 
+TEST(FinerBox, CoversVoxelsOfAGivenGrid)
+{
+  const GridSpecification grid = Domain(); // -230 km to 230 km in 230 voxels
+  const auto voxels = [&grid](const std::array<double, 4>& faces)
+  { return VoxelsOfBox(grid, {faces}); };
+  EXPECT_EQ(voxels({-900'000.0, 900'000.0, -900'000.0, 900'000.0}), VoxelBlock::Of(grid));
+  EXPECT_EQ(
+    voxels({-228'500.0, 10'000.0, 0.0, 20'900.0}), (VoxelBlock{{1, 115, 0}, {120, 125, 40}}));
+  EXPECT_EQ(
+    voxels({100.0, 200.0, 229'900.0, 240'000.0}), (VoxelBlock{{115, 228, 0}, {117, 230, 40}}))
+    << "two at least";
+  EXPECT_THROW(voxels({230'000.0, 240'000.0, 0.0, 1000.0}), Error);
+  BoxRequest request;
+  request.spacing = 3999.0;
+  EXPECT_FALSE(IsFinerThanAsked(grid, request));
+  request.spacing = 4000.0;
+  EXPECT_TRUE(IsFinerThanAsked(grid, request));
+}
+
 TEST(FinerBox, AWideBoxHasLargerVoxelsAndEndsWithTheDomain)
 {
   const FinerBox box = MakeFinerBox(Domain(), {{110'000.0, 900'000.0, -230'000.0, 230'000.0}});
