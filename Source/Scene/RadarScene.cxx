@@ -364,7 +364,12 @@ SceneFrame RadarScene::FollowEcho(vtkImageData* newData, const VolumeInformation
 void RadarScene::BeginFrame()
 {
   this->FitTexture();
+  this->ShadeGround();
   detail.Follow(volume);
+}
+
+void RadarScene::ShadeGround()
+{
   auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
   if (mapper == nullptr || ground.props.empty())
   {
@@ -373,6 +378,10 @@ void RadarScene::BeginFrame()
   // The coarse light of an interaction is followed by that of the next picture at rest.
   vtkRenderWindow* window = renderer->GetRenderWindow();
   const bool moves = window != nullptr && window->GetDesiredUpdateRate() > 1.0;
+  if (!moves)
+  {
+    mapper->SetCropping(0); // the part that a finer volume takes the place of has its shadow
+  }
   groundShadow.Show(vtkActor::SafeDownCast(ground.props.front()),
     options.light.HasShadows() ? UpdateLight(mapper, renderer, volume) : nullptr, options.light,
     vtkImageData::SafeDownCast(mapper->GetDataSetInput()), moves);

@@ -127,6 +127,7 @@ private:
   void PlaceDetail();
   void DrawMark();
   std::vector<vtkVolumeMapper*> Mappers() const;
+  void ShadeGround();
   void LookForEcho();
   void DrawCaptions();
   void Aim();

@@ -88,8 +88,8 @@ public:
   /**
    * A finer volume of the same moment and projection, as vtkNexradDayReader::MergeBox gives it,
    * that is drawn in place of the part of the volume within its bounds. Each of the two has light
-   * of its own: neither casts a shadow on the other, and the finer one casts none on the ground. A
-   * plan view does not show it. None by default.
+   * of its own: neither casts a shadow on the other, and the shadow on the ground is that of the
+   * volume. A plan view does not show the finer one. None by default.
    */
   void SetDetail(vtkImageData* detail);
   vtkImageData* GetDetail() const;

@@ -101,3 +101,21 @@ TEST(DetailVolume, AFinerVolumeIsSeenAndTakenAway)
   scene->SetDetail(nullptr);
   EXPECT_EQ(MeanDifference(window.Draw(), whole), 0.0);
 }
+
+// The ground is as dark as without the finer volume, which here holds nothing.
+TEST(DetailVolume, TheGroundKeepsTheShadowOfTheVolume)
+{
+  const vtkSmartPointer<vtkImageData> tower = CutTower();
+  tower->GetPointData()->GetScalars()->Fill(-33.0);
+  vtkNew<vtkNexradVolumeScene> scene;
+  scene->SetVolume(MakeStormVolume(true));
+  scene->SetDetail(tower);
+  OffScreenWindow window(scene->GetRenderer(), detailSize);
+  const Picture shaded = window.Draw();
+  EXPECT_EQ(MeanDifference(window.Draw(), shaded), 0.0);
+  scene->SetOption("shadow", "0");
+  scene->SetOption("occlusion", "0");
+  const Picture plain = window.Draw();
+  EXPECT_AT_LEAST(MeanDifference(shaded, plain), 12.0, "mean darkness of the shadow, of 255")
+    << KeepPicture(shaded, "shaded-ground");
+}

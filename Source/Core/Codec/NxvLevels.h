@@ -26,7 +26,7 @@ std::vector<VoxelsInOne> CoarserLevels(const GridSpecification& grid);
 /// A volume of a grid with the moments of another one, all of its voxels not scanned.
 GriddedVolume VolumeLike(const GriddedVolume& volume, const GridSpecification& grid);
 
-/// Sets voxels of a coarser volume (Formulas G13) from those that they take the place of. The rows
+/// Sets voxels of a coarser volume (Formulas G14) from those that they take the place of. The rows
 /// of `fine` are those of its grid that the rows of `coarse` from `row` on stand for. Ancillary
 /// arrays are left out.
 void SetCoarser(const GriddedVolume& fine, const VoxelsInOne& voxels, int row,
