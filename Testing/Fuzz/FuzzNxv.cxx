@@ -62,6 +62,28 @@ std::optional<Parts> Split(const Bytes& file)
   return hasArrays ? std::optional(std::move(parts)) : std::nullopt;
 }
 
+// The entries of the arrays, and of those of levels, in the order of their payloads.
+std::vector<Json*> ArraysIn(Json& header)
+{
+  std::vector<Json*> arrays;
+  const auto add = [&arrays](Json& of)
+  {
+    if (of.is_object() && of.contains("arrays") && of["arrays"].is_array())
+    {
+      for (Json& array : of["arrays"])
+      {
+        arrays.push_back(&array);
+      }
+    }
+  };
+  add(header);
+  if (header.contains("levels") && header["levels"].is_array())
+  {
+    std::for_each(header["levels"].begin(), header["levels"].end(), add);
+  }
+  return arrays;
+}
+
 bool IsZlibStream(const Bytes& bytes)
 {
   return bytes.size() > 1 && bytes[0] == 0x78 && (bytes[0] * 256U + bytes[1]) % 31 == 0;
@@ -84,8 +106,9 @@ std::optional<Bytes> Mend(const Bytes& file)
   }
   Bytes payloads;
   auto rest = parts->payloads.cbegin();
-  for (Json& array : parts->header["arrays"])
+  for (Json* each : ArraysIn(parts->header))
   {
+    Json& array = *each;
     if (!array.is_object() || !array.value("length", Json()).is_number_unsigned())
     {
       continue;
@@ -207,6 +230,13 @@ void ReadAll(const Bytes& bytes)
   IsRead(path, [&] { ReadNxvCodes(path, options); });
   IsRead(path, [&] { HasNxvCodes(path, options, true); });
   Require(header || !whole, "a volume that is read has a header that is read");
+  std::vector<GridSpecification> levels;
+  IsRead(path, [&] { levels = ReadNxvLevels(path); });
+  for (options.level = levels.size(); options.level-- > 1;)
+  {
+    IsRead(path, [&] { LookAtMoment(ReadNxv(path, options)); });
+  }
+  options.level = 0;
   if (whole)
   {
     LookAtMoment(*volume);
@@ -222,6 +252,15 @@ Bytes Written(const GriddedVolume& volume, NxvEncoding encoding)
   NxvWriteOptions options;
   options.encoding = encoding;
   WriteNxv(file.Path(), volume, options);
+  return BytesOf(FileContent(file.Path()));
+}
+
+Bytes WrittenInBricks(const GriddedVolume& volume)
+{
+  const InputFile file("seed.nxv");
+  NxvBandWriter writer(file.Path(), volume.grid);
+  writer.Add(volume);
+  writer.Commit();
   return BytesOf(FileContent(file.Path()));
 }
 
@@ -278,6 +317,8 @@ std::vector<Bytes> FuzzSeeds()
   {
     seeds.push_back(Inflated(seeds[i]));
   }
+  seeds.push_back(WrittenInBricks(rich));
+  seeds.push_back(WrittenInBricks(MakeGriddedVolume({513, 2, 1}))); // with a level
   return seeds;
 }
 
