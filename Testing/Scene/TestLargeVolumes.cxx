@@ -56,6 +56,9 @@ TEST_F(LargeVolumes, TheFinestThatFitInATextureAreRead)
     series->AllowCodes(codes);
     EXPECT_EQ(SizeOf(series->Load(0, {})), (std::array<int, 3>{1050, 32, 16}));
   }
+  const auto all = OpenVolumeFiles({path}, {{}, {}, true, PlaceUnit::OfVolume, true});
+  EXPECT_EQ(SizeOf(all->Load(0, {})), (std::array<int, 3>{2100, 64, 16}));
+  EXPECT_FALSE(all->LeavesOutFiner(0));
   const TemporaryFolder small;
   EXPECT_FALSE(OpenVolumeFiles({WriteStormFiles(small.Path(), 1)})->LeavesOutFiner(0));
 }
@@ -114,7 +117,8 @@ TEST_F(LargeVolumes, BoxesThatCannotBeReadAreErrors)
   writer->SetFileName(image.c_str());
   writer->SetInputData(MakeStormVolume(true));
   writer->Write();
-  EXPECT_NE(MessageOf([&] { OpenVolumeFiles({image})->LoadBox(0, box, {}); }).find("from radar files alone"),
+  EXPECT_NE(MessageOf([&] { OpenVolumeFiles({image})->LoadBox(0, box, {}); })
+              .find("from radar files alone"),
     std::string::npos);
 }
 

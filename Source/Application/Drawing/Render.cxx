@@ -91,6 +91,7 @@ Outcome WriteEachVolume(const RenderRequest& asked,
   void (*write)(const fs::path& path, vtkImageData* volume, const SceneOptions& options))
 {
   RenderRequest request = asked;
+  request.input.allVoxels = true;
   Outcome report;
   report.notes = LinesPassedOver(request.scene);
   auto series = OpenForPictures(request, report);
@@ -200,6 +201,12 @@ Outcome Render(const RenderRequest& asked)
   auto series =
     pictures ? OpenForPictures(request, report) : OpenInputs(request.input, request.progress);
   std::vector<std::size_t> chosen = ChooseTimes(*series, request.input);
+  if (request.scene.plan && series->LeavesOutFiner(chosen.front()))
+  {
+    report.notes.push_back(request.output.string() +
+                           ": the file has finer voxels than the map, which has those that fit in "
+                           "texture memory; a GeoTIFF (-o NAME.tif) has the finest");
+  }
   Shown shown;
   for (const std::size_t index : chosen)
   {

@@ -114,8 +114,9 @@ std::unique_ptr<VolumeSeries> OpenInputs(const InputRequest& request, const Prog
   const std::vector<MomentName> moments = request.grid.Moments();
   if (AreVolumes(request.inputs))
   {
-    return OpenVolumeFiles(request.inputs,
-      {request.momentNamed ? moments : std::vector<MomentName>(), colours, false, request.boxUnit});
+    return OpenVolumeFiles(
+      request.inputs, {request.momentNamed ? moments : std::vector<MomentName>(), colours, false,
+                        request.boxUnit, request.allVoxels});
   }
   if (request.box)
   {

@@ -30,6 +30,7 @@ struct InputRequest
   std::string colourBy;          ///< SceneOptions::colourBy
   std::optional<BoxRequest> box; ///< drawn in finer voxels
   PlaceUnit boxUnit = PlaceUnit::OfVolume; ///< of the faces of `box`
+  bool allVoxels = false;                  ///< VolumeFileRequest::allVoxels
 };
 
 /// Opens the inputs. Throws Error when volumes and radar files are mixed, when the faces of the box

@@ -317,6 +317,10 @@ private:
     file.Codes = codes;
     file.BytesBesides = pictureBytesPerVoxel;
     file.Level = from;
+    if (request.allVoxels)
+    {
+      return file;
+    }
     NxvReadOptions options;
     options.moments = file.Moments;
     const std::size_t bytes =

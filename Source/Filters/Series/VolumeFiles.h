@@ -27,6 +27,7 @@ struct VolumeFileRequest
   std::optional<MomentName> colours;       ///< read beside them
   bool all = false;                        ///< read the file's other moments as well
   PlaceUnit boxUnit = PlaceUnit::OfVolume; ///< of the faces of boxes
+  bool allVoxels = false; ///< Load reads the smallest voxels, whatever memory they take
 };
 
 /// Reads merged volumes from files, from an index of a series, or from folders of them. Of a file
