@@ -72,9 +72,9 @@ private:
   /// What the environment variable VTK_TEXTURE_SLICE_WAY names takes precedence over @a asked.
   Way FindAsked(Way asked);
   /// What AUTOMATIC stands for. The first picture is drawn by fragments where there was no trial
-  /// yet, because a trial takes longer than a program with one picture can gain by it. In software the
-  /// same processor runs both ways: fragments, unless the environment variable asks for a trial, so
-  /// that pictures do not depend on what else the machine does.
+  /// yet, because a trial takes longer than a program with one picture can gain by it. In software
+  /// the same processor runs both ways: fragments, unless the environment variable asks for a
+  /// trial, so that pictures do not depend on what else the machine does.
   Way ChooseByTrial();
   /// @param instead says what draws the volume where the shader of that way does not compile.
   bool Ready(Way way, const vtkTextureSliceParts& parts, const char* instead);
