@@ -305,8 +305,8 @@ vtkTextureSliceWays::Way vtkTextureSliceWays::FindAsked(Way asked)
 
 vtkTextureSliceWays::Way vtkTextureSliceWays::ChooseByTrial()
 {
-  const char* value = std::getenv(Variable);
-  const bool isTrialAsked = value != nullptr && value == std::string(Names[Mapper::AUTOMATIC]);
+  // Polygons stand for a variable that is not set.
+  const bool isTrialAsked = this->FindAsked(Mapper::POLYGONS) == Mapper::AUTOMATIC;
   if (!HasCompute() || (vtkTextureSliceIsLlvmpipe() && !isTrialAsked))
   {
     return Mapper::FRAGMENTS;

@@ -307,10 +307,16 @@ void RadarScene::Follow(const SceneContents& contents)
   }
 }
 
+// What the mapper of the volume draws; nullptr before the first volume.
+vtkImageData* RadarScene::Drawn() const
+{
+  auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
+  return vtkImageData::SafeDownCast(mapper != nullptr ? mapper->GetDataSetInput() : nullptr);
+}
+
 void RadarScene::UpdateSlices()
 {
-  auto* whole = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
-  auto* image = vtkImageData::SafeDownCast(whole != nullptr ? whole->GetDataSetInput() : nullptr);
+  vtkImageData* image = this->Drawn();
   if (image == nullptr)
   {
     return; // before the first volume
@@ -565,9 +571,7 @@ void RadarScene::ShowVolume(Prepared prepared)
 // How many voxels a texture may have is known once the renderer has a context.
 void RadarScene::FitTexture()
 {
-  auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
-  const vtkSmartPointer<vtkImageData> whole =
-    vtkImageData::SafeDownCast(mapper != nullptr ? mapper->GetDataSetInput() : nullptr);
+  const vtkSmartPointer<vtkImageData> whole = this->Drawn();
   const int most = vtkTextureObject::GetMaximumTextureSize3D(
     vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
   if (whole == nullptr || most < 1)
@@ -579,7 +583,7 @@ void RadarScene::FitTexture()
   {
     return;
   }
-  mapper->SetInputDataObject(drawn.volume);
+  volume->GetMapper()->SetInputDataObject(drawn.volume);
   this->PlaceDetail();
   this->UpdateSlices();
   note += "; drawn: " + drawn.left;
@@ -656,8 +660,7 @@ void RadarScene::PlaceDetail()
 
 std::optional<BoxRequest> RadarScene::SeenBox() const
 {
-  auto* whole = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
-  auto* image = vtkImageData::SafeDownCast(whole != nullptr ? whole->GetDataSetInput() : nullptr);
+  vtkImageData* image = this->Drawn();
   const auto seen =
     options.plan || image == nullptr ? std::nullopt : FindSeen(renderer, size, frame.Bounds());
   if (!seen || image->GetSpacing()[0] <= seen->pixel)

@@ -119,6 +119,7 @@ private:
   void DrawScales();
   void FillProperty();
   void SetCut(const CutOptions& cut);
+  vtkImageData* Drawn() const;
   void UpdateSlices();
   double PixelsOf(double length) const;
   void DrawVolume(vtkImageData* placed, bool sameMapper);

@@ -58,8 +58,7 @@ TEST(SeenPart, FromAboveIsThePicture)
   const std::array<double, 4> expected = {-90.0, 110.0, -70.0, 30.0};
   for (std::size_t side = 0; side < 4; ++side)
   {
-    // A ray's distance from the next one more, for what lies between two.
-    EXPECT_NEAR(seen->faces[side], expected[side], 200.0 / 32.0 + 1e-6) << side;
+    EXPECT_NEAR(seen->faces[side], expected[side], 1e-6) << side;
   }
 }
 

@@ -32,10 +32,8 @@ void AddBoxOptions(CLI::App& command, InputRequest& request)
   { BoxOf(request).followedFrom = ParseTime(text); };
   CLI::Option* faces = AddTextOption(command, "--box", takeFaces, "WEST,EAST,SOUTH,NORTH",
     "Draw this box of the domain in finer voxels: of radar files merged again in voxels of 250 m "
-    "(larger where it is wider than 60 km), of .nxv files the smallest that they have. m or km "
-    "east "
-    "and north of the domain's centre; of a domain on axes of longitude and latitude degrees, as "
-    "in "
+    "(larger where it is wider than 60 km), of .nxv files the smallest that fit. m or km east and "
+    "north of the domain's centre; of a domain on axes of longitude and latitude degrees, as in "
     "-98deg,-97deg,35deg,36deg");
   faces->group(group);
   AddTextOption(command, "--follow-from", takeTime, "TIME",

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 
 namespace nexrad
 {
@@ -19,17 +18,11 @@ namespace
 constexpr int mostColumns = 512; // of the last level, along x and along y
 constexpr int fewLayers = 32;    // that are not halved
 
-// How much a state says: that of a coarser voxel is the one of its voxels that says the most.
-constexpr std::uint8_t Rank(VoxelState state)
+// Of the states of two voxels the one that says more: an echo, then no echo, then MoreKnown.
+VoxelState SayingMore(VoxelState first, VoxelState second)
 {
-  return state == VoxelState::Filtered     ? 3
-         : state == VoxelState::NotScanned ? 4
-                                           : static_cast<std::uint8_t>(state);
-}
-
-constexpr VoxelState StateOfRank(std::uint8_t rank)
-{
-  return rank == 3 ? VoxelState::Filtered : rank == 4 ? VoxelState::NotScanned : VoxelState(rank);
+  return IsMeasured(first) || IsMeasured(second) ? std::min(first, second)
+                                                 : MoreKnown(first, second);
 }
 
 // Rows of voxels along x, by their layer and their place in it.
@@ -117,22 +110,16 @@ public:
     const std::size_t row = number % rows;
     const std::size_t layer = number / rows;
     const std::size_t start = to.First(firstRow + row, layer);
-    std::vector<std::uint8_t> ranks(to.length * voxels[0], Rank(VoxelState::NotScanned));
+    VoxelState* states = coarse.states.data() + start;
     this->ForRowsOf(row, layer,
       [&](std::size_t first)
       {
         for (std::size_t x = 0; x < from.length; ++x)
         {
-          ranks[x] = std::min(ranks[x], Rank(fine.states[first + x]));
+          states[x / voxels[0]] = SayingMore(states[x / voxels[0]], fine.states[first + x]);
         }
       });
-    for (std::size_t x = 0; x < to.length; ++x)
-    {
-      const auto begin = ranks.begin() + static_cast<std::ptrdiff_t>(x * voxels[0]);
-      coarse.states[start + x] =
-        StateOfRank(*std::min_element(begin, begin + static_cast<std::ptrdiff_t>(voxels[0])));
-    }
-    ForEachEcho(coarse.states.data() + start, to.length,
+    ForEachEcho(states, to.length,
       [&](std::size_t x) { coarse.values[start + x] = this->MeanAt(x, row, layer); });
   }
 

@@ -26,9 +26,9 @@ std::vector<VoxelsInOne> CoarserLevels(const GridSpecification& grid);
 /// A volume of a grid with the moments of another one, all of its voxels not scanned.
 GriddedVolume VolumeLike(const GriddedVolume& volume, const GridSpecification& grid);
 
-/// Sets voxels of a coarser volume (Formulas G14) from those that they take the place of. The rows
-/// of `fine` are those of its grid that the rows of `coarse` from `row` on stand for. Ancillary
-/// arrays are left out.
+/// Sets voxels of a coarser volume (Formulas G14), not scanned until then, from those that they
+/// take the place of. The rows of `fine` are those of its grid that the rows of `coarse` from `row`
+/// on stand for. Ancillary arrays are left out.
 void SetCoarser(const GriddedVolume& fine, const VoxelsInOne& voxels, int row,
   GriddedVolume& coarse, const RangeLoop& loop = {});
 

@@ -37,8 +37,8 @@ struct NxvReadOptions
 /// Reads one volume. Throws Error naming the file and the byte offset for a wrong magic, header,
 /// dimension, length, CRC or stream, for an ancillary array of a wrong type or with a value that it
 /// cannot have, for a moment or level to read that the file does not have, and for a block outside
-/// the grid.
-/// Arrays beside the moments, their states and their ancillary arrays are checked and passed over.
+/// the grid. Arrays beside the moments, their states and their ancillary arrays are checked and
+/// passed over.
 GriddedVolume ReadNxv(const std::filesystem::path& path, const NxvReadOptions& options = {});
 
 /// Reads one moment as the codes that the file has, and its ancillary arrays. Nothing when several

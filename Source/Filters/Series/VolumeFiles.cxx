@@ -269,7 +269,7 @@ public:
   bool LeavesOutFiner(std::size_t index) const override
   {
     return NamingTheIndex(files[index], [this](const fs::path& path)
-      { return EndsWith(path, ".nxv") && this->FindWhole(path).Level > 0; });
+      { return EndsWith(path, ".nxv") && this->FindWhole(path, ReadNxvLevels(path)).Level > 0; });
   }
 
   std::string Contents(std::size_t index) const override
@@ -283,18 +283,21 @@ public:
   }
 
 private:
+  using Levels = std::vector<GridSpecification>;
+
   vtkSmartPointer<vtkImageData> LoadFile(const fs::path& path) const
   {
     if (EndsWith(path, ".vti"))
     {
       return Showing(request.moments, ReadVti(path));
     }
-    return this->ReadPart(this->FindWhole(path));
+    return this->ReadPart(this->FindWhole(path, ReadNxvLevels(path)));
   }
 
   vtkSmartPointer<vtkImageData> LoadBoxOfFile(const fs::path& path, const BoxRequest& box) const
   {
-    if (EndsWith(path, ".vti") || this->FindWhole(path).Level == 0)
+    const Levels levels = EndsWith(path, ".vti") ? Levels() : ReadNxvLevels(path);
+    if (levels.empty() || this->FindWhole(path, levels).Level == 0)
     {
       throw Error("all of its voxels are drawn; finer ones are merged from radar files alone");
     }
@@ -302,14 +305,14 @@ private:
     {
       throw Error("a box moves with the echo of radar files alone; leave out --follow-from");
     }
-    CheckPlaceUnit(request.boxUnit, PlaceUnitOf(ReadNxvHeader(path).grid.axes), "the box is");
-    return this->ReadPart(this->FindBox(path, box));
+    CheckPlaceUnit(request.boxUnit, PlaceUnitOf(levels.front().axes), "the box is");
+    return this->ReadPart(this->FindBox(path, levels, box));
   }
 
   // Of the finest level of which the block that `blockOf` names fits in the texture memory, that
   // block; without one, of the coarsest. Nothing is asked of the first `from` levels.
-  vtkNexradVolumeFile FindPart(const fs::path& path, const std::vector<GridSpecification>& levels,
-    std::size_t from, const std::function<VoxelBlock(const GridSpecification&)>& blockOf) const
+  vtkNexradVolumeFile FindPart(const fs::path& path, const Levels& levels, std::size_t from,
+    const std::function<VoxelBlock(const GridSpecification&)>& blockOf) const
   {
     vtkNexradVolumeFile file;
     file.FileName = path.string();
@@ -317,15 +320,12 @@ private:
     file.Codes = codes;
     file.BytesBesides = pictureBytesPerVoxel;
     file.Level = from;
-    if (request.allVoxels)
-    {
-      return file;
-    }
     NxvReadOptions options;
     options.moments = file.Moments;
     const std::size_t bytes =
       file.Codes && HasNxvCodes(path, options) ? 1 : sizeof(float) * file.Moments.size();
-    while (file.Level + 1 < levels.size() && !FitsInTexture(blockOf(levels[file.Level]), bytes))
+    while (file.Level + 1 < levels.size() && !request.allVoxels &&
+           !FitsInTexture(blockOf(levels[file.Level]), bytes))
     {
       ++file.Level;
     }
@@ -333,14 +333,14 @@ private:
     return file;
   }
 
-  vtkNexradVolumeFile FindWhole(const fs::path& path) const
+  vtkNexradVolumeFile FindWhole(const fs::path& path, const Levels& levels) const
   {
-    return this->FindPart(path, ReadNxvLevels(path), 0, VoxelBlock::Of);
+    return this->FindPart(path, levels, 0, VoxelBlock::Of);
   }
 
-  vtkNexradVolumeFile FindBox(const fs::path& path, const BoxRequest& box) const
+  vtkNexradVolumeFile FindBox(
+    const fs::path& path, const Levels& levels, const BoxRequest& box) const
   {
-    const std::vector<GridSpecification> levels = ReadNxvLevels(path);
     std::size_t from = 0;
     while (from + 1 < levels.size() && IsFinerThanAsked(levels[from], box))
     {

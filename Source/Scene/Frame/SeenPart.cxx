@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Frame/SeenPart.h"
 
-#include <vtkBox.h>
 #include <vtkCamera.h>
+#include <vtkClipConvexPolyData.h>
 #include <vtkMath.h>
-#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
+#include <vtkPlane.h>
+#include <vtkPlaneCollection.h>
+#include <vtkPolyData.h>
 #include <vtkRenderer.h>
+#include <vtkTessellatedBoxSource.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,63 +21,60 @@ namespace nexrad::scene
 namespace
 {
 
-constexpr int raysAlong = 33; // of the picture, each way
-
-using Point = std::array<double, 3>;
-
-// How places of the scene and of a picture belong together: the picture is from −1 to 1 each way,
-// and deep from −1 to 1.
-class PictureProjection
+vtkSmartPointer<vtkPlaneCollection> FrustumOf(vtkCamera* camera, double aspect)
 {
-public:
-  PictureProjection(vtkCamera* camera, double aspect)
+  double coefficients[24];
+  camera->GetFrustumPlanes(aspect, coefficients);
+  auto planes = vtkSmartPointer<vtkPlaneCollection>::New();
+  for (std::size_t i = 0; i < 6; ++i)
   {
-    matrix->DeepCopy(camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0));
-    inverse->DeepCopy(matrix);
-    inverse->Invert();
+    double* normal = coefficients + 4 * i; // it points into the frustum
+    const double length = vtkMath::Normalize(normal);
+    vtkNew<vtkPlane> plane;
+    plane->SetNormal(normal);
+    plane->Push(-normal[3] / length);
+    planes->AddItem(plane);
   }
+  return planes;
+}
 
-  Point ToScene(const Point& place) const
+// What a camera shows of a box, as a solid; nullptr where that is nothing.
+vtkSmartPointer<vtkPolyData> Clip(const std::array<double, 6>& box, vtkPlaneCollection* frustum)
+{
+  constexpr double rounding = 0.01; // scene units
+  vtkNew<vtkTessellatedBoxSource> source;
+  source->SetBounds(box.data());
+  source->QuadsOn();
+  vtkNew<vtkClipConvexPolyData> clip;
+  clip->SetInputConnection(source->GetOutputPort());
+  clip->SetPlanes(frustum);
+  clip->Update();
+  vtkPolyData* shown = clip->GetOutput();
+  // The filter passes over a plane beyond which all lies.
+  for (int i = 0; i < frustum->GetNumberOfItems(); ++i)
   {
-    const std::array<double, 4> point = Multiply(inverse, place);
-    return {point[0] / point[3], point[1] / point[3], point[2] / point[3]};
+    for (vtkIdType point = 0; point < shown->GetNumberOfPoints(); ++point)
+    {
+      if (frustum->GetItem(i)->EvaluateFunction(shown->GetPoint(point)) < -rounding)
+      {
+        return nullptr;
+      }
+    }
   }
-
-  bool Shows(const Point& point) const
-  {
-    const std::array<double, 4> place = Multiply(matrix, point);
-    return place[3] > 0.0 && std::abs(place[0]) <= place[3] && std::abs(place[1]) <= place[3];
-  }
-
-private:
-  static std::array<double, 4> Multiply(vtkMatrix4x4* by, const Point& point)
-  {
-    const double given[4] = {point[0], point[1], point[2], 1.0};
-    std::array<double, 4> product{};
-    by->MultiplyPoint(given, product.data());
-    return product;
-  }
-
-  vtkNew<vtkMatrix4x4> matrix;
-  vtkNew<vtkMatrix4x4> inverse;
-};
+  return shown;
+}
 
 // Side of a pixel at a point.
-double PixelAt(vtkCamera* camera, const Point& point, int height)
+double PixelAt(vtkCamera* camera, const double* point, int height)
 {
   if (camera->GetParallelProjection() != 0)
   {
     return 2.0 * camera->GetParallelScale() / height;
   }
-  const double* position = camera->GetPosition();
-  const double* direction = camera->GetDirectionOfProjection();
-  double depth = 0.0;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    depth += (point[axis] - position[axis]) * direction[axis];
-  }
-  const double halfAngle = vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle());
-  return 2.0 * std::max(depth, 0.0) * std::tan(halfAngle) / height;
+  double from[3];
+  vtkMath::Subtract(point, camera->GetPosition(), from);
+  const double depth = vtkMath::Dot(from, camera->GetDirectionOfProjection());
+  return 2.0 * depth * std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle())) / height;
 }
 
 } // namespace
@@ -82,55 +82,20 @@ double PixelAt(vtkCamera* camera, const Point& point, int height)
 std::optional<SeenPart> FindSeen(
   vtkRenderer* renderer, const std::array<int, 2>& size, const std::array<double, 6>& box)
 {
-  constexpr double endless = std::numeric_limits<double>::infinity();
   vtkNew<vtkCamera> camera;
   camera->DeepCopy(renderer->GetActiveCamera());
   camera->SetClippingRange(1.0, 1.0e5); // of the volume alone, wherever it is
-  const PictureProjection picture(camera, static_cast<double>(size[0]) / size[1]);
-  SeenPart seen{{endless, -endless, endless, -endless}, endless};
-  const auto add = [&](const Point& point)
-  {
-    for (const std::size_t axis : {0, 1})
-    {
-      seen.faces[2 * axis] = std::min(seen.faces[2 * axis], point[axis]);
-      seen.faces[2 * axis + 1] = std::max(seen.faces[2 * axis + 1], point[axis]);
-    }
-    seen.pixel = std::min(seen.pixel, PixelAt(camera, point, size[1]));
-  };
-  for (int i = 0; i < raysAlong * raysAlong; ++i)
-  {
-    const double x = 2.0 * (i % raysAlong) / (raysAlong - 1) - 1.0;
-    const double y = 2.0 * (i / raysAlong) / (raysAlong - 1) - 1.0;
-    const Point from = picture.ToScene({x, y, -1.0});
-    const Point to = picture.ToScene({x, y, 1.0});
-    double t[2];
-    Point in{};
-    Point out{};
-    int planes[2];
-    if (vtkBox::IntersectWithLine(box.data(), from.data(), to.data(), t[0], t[1], in.data(),
-          out.data(), planes[0], planes[1]) != 0)
-    {
-      add(in);
-      add(out);
-    }
-  }
-  for (std::size_t corner = 0; corner < 8; ++corner)
-  {
-    const Point point = {box[corner % 2], box[2 + corner / 2 % 2], box[4 + corner / 4]};
-    if (picture.Shows(point))
-    {
-      add(point);
-    }
-  }
-  if (!(seen.pixel < endless))
+  const auto shown = Clip(box, FrustumOf(camera, static_cast<double>(size[0]) / size[1]));
+  if (shown == nullptr || shown->GetNumberOfPoints() == 0)
   {
     return std::nullopt;
   }
-  for (const std::size_t axis : {0, 1}) // what lies between two rays
+  SeenPart seen;
+  std::copy_n(shown->GetBounds(), seen.faces.size(), seen.faces.begin());
+  seen.pixel = std::numeric_limits<double>::infinity();
+  for (vtkIdType i = 0; i < shown->GetNumberOfPoints(); ++i)
   {
-    const double between = (seen.faces[2 * axis + 1] - seen.faces[2 * axis]) / (raysAlong - 1);
-    seen.faces[2 * axis] = std::max(seen.faces[2 * axis] - between, box[2 * axis]);
-    seen.faces[2 * axis + 1] = std::min(seen.faces[2 * axis + 1] + between, box[2 * axis + 1]);
+    seen.pixel = std::min(seen.pixel, PixelAt(camera, shown->GetPoint(i), size[1]));
   }
   return seen;
 }

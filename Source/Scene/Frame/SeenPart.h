@@ -17,8 +17,7 @@ struct SeenPart
 };
 
 /// The part of a box (west, east, south, north, bottom, top) that a picture of `size` pixels shows
-/// through a renderer's camera: that which holds the corners that it shows, and what 33 × 33 rays
-/// through the picture, with their neighbours, meet of it. Nothing where it shows none.
+/// through a renderer's camera. Nothing where it shows none.
 std::optional<SeenPart> FindSeen(
   vtkRenderer* renderer, const std::array<int, 2>& size, const std::array<double, 6>& box);
 

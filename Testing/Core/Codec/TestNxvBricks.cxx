@@ -4,12 +4,12 @@
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Grid/VolumeMoments.h"
 
+#include "BrickFile.h"
 #include "Comparison/VolumeComparison.h"
 #include "ErrorMessage.h"
 #include "TestData.h"
 #include "Tolerance.h"
 #include "VolumeMaker.h"
-#include "VolumePart.h"
 #include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
@@ -23,32 +23,15 @@ using nexrad::testing::ExpectSameVolume;
 using nexrad::testing::FileContent;
 using nexrad::testing::MakeGriddedVolume;
 using nexrad::testing::MessageOf;
+using nexrad::testing::RowsFrom;
 using nexrad::testing::TakePart;
 using nexrad::testing::TemporaryFolder;
+using nexrad::testing::WriteBricks;
 
 namespace
 {
 
 namespace fs = std::filesystem;
-
-VoxelBlock RowsFrom(const GridSpecification& grid, int row)
-{
-  VoxelBlock rows = VoxelBlock::Of(grid);
-  rows.begin[1] = row;
-  rows.end[1] = std::min(row + NxvBandWriter::Rows, grid.dimensions[1]);
-  return rows;
-}
-
-void WriteBricks(
-  const fs::path& path, const GriddedVolume& volume, const NxvWriteOptions& options = {})
-{
-  NxvBandWriter writer(path, volume.grid, options);
-  for (int row = 0; row < volume.grid.dimensions[1]; row += NxvBandWriter::Rows)
-  {
-    writer.Add(TakePart(volume, RowsFrom(volume.grid, row)), ThreadLoop(2));
-  }
-  writer.Commit();
-}
 
 // Three bands of bricks, all smaller at the upper faces. Voxels are filtered in the second band
 // alone and range folded in the last alone; a corner of more than a brick is not scanned.

@@ -4,12 +4,12 @@
 #include "nexrad/Codec/NxvLevels.h"
 #include "nexrad/Grid/VolumeMoments.h"
 
+#include "BrickFile.h"
 #include "Comparison/VolumeComparison.h"
 #include "ErrorMessage.h"
 #include "TestData.h"
 #include "Tolerance.h"
 #include "VolumeMaker.h"
-#include "VolumePart.h"
 #include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
@@ -23,6 +23,7 @@ using nexrad::testing::MakeGriddedVolume;
 using nexrad::testing::MessageOf;
 using nexrad::testing::TakePart;
 using nexrad::testing::TemporaryFolder;
+using nexrad::testing::WriteBricks;
 
 namespace
 {
@@ -141,19 +142,6 @@ GriddedVolume HalveAnew(const GriddedVolume& fine, const VoxelsInOne& voxels)
   return coarse;
 }
 
-void WriteLevels(const fs::path& path, const GriddedVolume& volume, NxvEncoding encoding)
-{
-  NxvBandWriter writer(path, volume.grid, NxvWriteOptions{encoding});
-  for (int row = 0; row < volume.grid.dimensions[1]; row += NxvBandWriter::Rows)
-  {
-    VoxelBlock rows = VoxelBlock::Of(volume.grid);
-    rows.begin[1] = row;
-    rows.end[1] = std::min(row + NxvBandWriter::Rows, volume.grid.dimensions[1]);
-    writer.Add(TakePart(volume, rows), ThreadLoop(2));
-  }
-  writer.Commit();
-}
-
 double LargestDifference(const GriddedVolume& a, const GriddedVolume& b)
 {
   double largest = 0.0;
@@ -209,7 +197,7 @@ TEST(NxvLevels, AreWhatTheirRuleSays)
   for (const auto& [moment, dimensions] : volumes)
   {
     const GriddedVolume volume = MakeVolume(moment, dimensions);
-    WriteLevels(path, volume, NxvEncoding::Float);
+    WriteBricks(path, volume, {NxvEncoding::Float});
     const std::vector<GridSpecification> grids = ReadNxvLevels(path);
     ASSERT_EQ(grids.size(), 3U);
     GriddedVolume expected = volume;
@@ -232,7 +220,7 @@ TEST(NxvLevels, AreRoundedToTheStepsOfTheRadar)
   const std::array<int, 3> dimensions = {1030, 70, 3};
   const GriddedVolume volume =
     JoinMoments({MakeVolume(MomentName::REF, dimensions), MakeVolume(MomentName::VEL, dimensions)});
-  WriteLevels(path, volume, NxvEncoding::RadarSteps);
+  WriteBricks(path, volume);
   GriddedVolume expected = volume;
   expected.further.clear();
   for (std::size_t level = 1; level < 3; ++level)
@@ -257,7 +245,7 @@ TEST(NxvLevels, ABoxOfALevelIsThatPartOfIt)
 {
   const TemporaryFolder folder;
   const fs::path path = folder.Path() / "levels.nxv";
-  WriteLevels(path, MakeVolume(MomentName::REF, {1030, 140, 9}), NxvEncoding::RadarSteps);
+  WriteBricks(path, MakeVolume(MomentName::REF, {1030, 140, 9}));
   const GriddedVolume whole = ReadNxv(path, OfLevel(1));
   NxvReadOptions box = OfLevel(1);
   box.block = VoxelBlock{{60, 3, 1}, {513, 70, 9}};
