@@ -156,6 +156,40 @@ std::vector<std::array<double, 2>> PointsOnCircles(const std::vector<Position>& 
   return points;
 }
 
+// The sites whose circles may touch a side of the box of all circles. The projection shows no way
+// shorter than it is, and none that far from its centre longer by more than angle/sin(angle).
+std::vector<Position> OutermostSites(
+  const GridSpecification& projected, const std::vector<Position>& sites, double range)
+{
+  Box middles;
+  std::vector<std::array<double, 2>> places;
+  double farthest = range;
+  for (const Position& site : sites)
+  {
+    places.push_back(projected.FromGeographic(site.longitude, site.latitude));
+    middles.Add(places.back());
+    farthest = std::max(farthest, std::hypot(places.back()[0], places.back()[1]) + range);
+  }
+  constexpr double rounding = 0.01; // what the earth differs from a sphere, and points from circles
+  const double angle = farthest / MetresPerDegree * RadiansPerDegree;
+  if (angle >= 0.5 * Pi)
+  {
+    return sites;
+  }
+  const double margin = (angle / std::sin(angle) - 1.0 + 2.0 * rounding) * range;
+  std::vector<Position> outermost;
+  for (std::size_t i = 0; i < sites.size(); ++i)
+  {
+    const auto [x, y] = places[i];
+    if (x <= middles.west + margin || x >= middles.east - margin || y <= middles.south + margin ||
+        y >= middles.north - margin)
+    {
+      outermost.push_back(sites[i]);
+    }
+  }
+  return outermost;
+}
+
 // Points along the edges of geographic bounds; on a projection the edges are curved.
 std::vector<std::array<double, 2>> PointsOnBounds(const GeographicBounds& bounds)
 {
@@ -197,8 +231,12 @@ Box BoxAboutSites(
 {
   GridSpecification projected;
   SetCentre(projected, MiddleOf(sites));
-  const std::vector<std::array<double, 2>> points = PointsOnCircles(sites, RangeOf(request));
-  Box box = ProjectedBox(projected, points);
+  const double range = RangeOf(request);
+  const auto boxOfCircles = [&]
+  {
+    return ProjectedBox(projected, PointsOnCircles(OutermostSites(projected, sites, range), range));
+  };
+  Box box = boxOfCircles();
   for (int round = 0; round < 8; ++round)
   {
     const std::array<double, 2> before = {projected.centreLongitude, projected.centreLatitude};
@@ -208,7 +246,7 @@ Box BoxAboutSites(
     {
       break;
     }
-    box = ProjectedBox(projected, points);
+    box = boxOfCircles();
   }
   grid.centreLongitude = projected.centreLongitude;
   grid.centreLatitude = projected.centreLatitude;
@@ -217,7 +255,7 @@ Box BoxAboutSites(
     return box;
   }
   Box degrees;
-  for (const auto& point : points)
+  for (const auto& point : PointsOnCircles(sites, range))
   {
     const double turn = AngleDifference(grid.centreLongitude, point[0]);
     degrees.Add({grid.centreLongitude + turn, point[1]});

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <string>
 
 using namespace nexrad;
@@ -65,6 +66,27 @@ TEST(MakeGrid, BoxHoldsTheCirclesOfAllSitesAndNotMuchMore)
   }
   EXPECT_DOUBLE_EQ(LowerFace(grid, 2), 0.0);
   EXPECT_DOUBLE_EQ(UpperFace(grid, 2), 20'000.0);
+}
+
+// Whichever sites lie outermost: sites strewn over parts of the earth of all sizes.
+TEST(MakeGrid, BoxHoldsTheCirclesOfManySites)
+{
+  std::mt19937 random(36);
+  for (const double size : {0.2, 3.0, 30.0, 75.0}) // degrees, half of the part
+  {
+    std::uniform_real_distribution<double> offset(-size, size);
+    const double latitude = std::min(45.0, 85.0 - size);
+    std::vector<Position> sites;
+    for (int i = 0; i < 25; ++i)
+    {
+      sites.push_back({latitude + offset(random), -100.0 + offset(random), 0.0});
+    }
+    for (const double margin : Margins(MakeGrid({}, sites), sites, DefaultRange))
+    {
+      EXPECT_GE(margin, 0.0) << size;
+      EXPECT_AT_MOST(margin, 2.0, "distance of the circles from a face of the box, m");
+    }
+  }
 }
 
 TEST(MakeGrid, ProjectionCentreIsTheBoxCentreRoundedToHundredths)
