@@ -62,8 +62,8 @@ public:
       cells[axis] = std::max(1, static_cast<int>(std::ceil(length / widest)));
       start[axis] = grid.Coordinate(axis, box.first[axis]);
       step[axis] = length / cells[axis];
-      firstNode[axis] = this->Place(axis, grid.Coordinate(axis, part.first[axis])).first;
-      lastNode[axis] = this->Place(axis, grid.Coordinate(axis, part.last[axis] - 1)).first + 1;
+      firstNode[axis] = this->PlaceOf(axis, grid.Coordinate(axis, part.first[axis])).first;
+      lastNode[axis] = this->PlaceOf(axis, grid.Coordinate(axis, part.last[axis] - 1)).first + 1;
     }
     for (int y = firstNode[1]; y <= lastNode[1]; ++y)
     {
@@ -74,10 +74,20 @@ public:
     }
   }
 
-  Offset At(double x, double y) const
+  // The cell of the lattice in which a coordinate stands, and the part of the cell before it, 0…1.
+  using Place = std::pair<int, double>;
+
+  Place PlaceOf(int axis, double coordinate) const
   {
-    const auto [column, right] = this->Place(0, x);
-    const auto [row, up] = this->Place(1, y);
+    const double place = (coordinate - start[axis]) / step[axis];
+    const double cell = std::clamp(std::floor(place), 0.0, static_cast<double>(cells[axis] - 1));
+    return {static_cast<int>(cell), place - cell};
+  }
+
+  Offset At(const Place& x, const Place& y) const
+  {
+    const auto [column, right] = x;
+    const auto [row, up] = y;
     const auto width = static_cast<std::size_t>(lastNode[0] - firstNode[0]) + 1;
     const Offset* below = nodes.data() + static_cast<std::size_t>(row - firstNode[1]) * width +
                           static_cast<std::size_t>(column - firstNode[0]);
@@ -96,14 +106,6 @@ private:
     const double azimuth = direction.azimuth * RadiansPerDegree;
     return {
       direction.groundDistance * std::sin(azimuth), direction.groundDistance * std::cos(azimuth)};
-  }
-
-  // The cell and the part of it, from 0 to 1, at which a coordinate stands.
-  std::pair<int, double> Place(int axis, double coordinate) const
-  {
-    const double place = (coordinate - start[axis]) / step[axis];
-    const double cell = std::clamp(std::floor(place), 0.0, static_cast<double>(cells[axis] - 1));
-    return {static_cast<int>(cell), place - cell};
   }
 
   const GridSpecification& grid;
@@ -192,13 +194,19 @@ SiteGeometry::SiteGeometry(const GridSpecification& grid, const Position& site, 
   std::copy(part.first, part.first + 2, begin);
   std::copy(part.last, part.last + 2, end);
   const OffsetLattice lattice(grid, site, box, part);
+  std::vector<OffsetLattice::Place> places;
+  for (int x = begin[0]; x < end[0]; ++x)
+  {
+    places.push_back(lattice.PlaceOf(0, grid.Coordinate(0, x)));
+  }
+  const double radius = beam.EffectiveRadius();
   columns.reserve(this->Width() * static_cast<std::size_t>(end[1] - begin[1]));
   for (int y = begin[1]; y < end[1]; ++y)
   {
-    for (int x = begin[0]; x < end[0]; ++x)
+    const OffsetLattice::Place row = lattice.PlaceOf(1, grid.Coordinate(1, y));
+    for (const OffsetLattice::Place& place : places)
     {
-      columns.push_back(DirectionOf(
-        lattice.At(grid.Coordinate(0, x), grid.Coordinate(1, y)), beam.EffectiveRadius()));
+      columns.push_back(DirectionOf(lattice.At(place, row), radius));
       nearest = std::min(nearest, columns.back().halfTangent);
     }
   }
