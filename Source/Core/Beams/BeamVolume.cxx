@@ -164,7 +164,7 @@ double ReachOf(const PolarSweep& sweep)
 std::size_t BeamVolume::MemoryBytes() const
 {
   std::size_t bytes = sizeof(BeamVolume) + composite.MemoryBytes() + lowest.MemoryBytes();
-  bytes += layers.MemoryBytes();
+  bytes += layers->MemoryBytes();
   for (const BeamSweep& sweep : sweeps)
   {
     bytes += sizeof(BeamSweep) + 4 * sweep.azimuths.size() * sizeof(float) +

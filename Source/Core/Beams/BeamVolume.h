@@ -27,7 +27,8 @@ struct BeamVolume
   std::vector<BeamSweep> sweeps;               ///< in the order scanned
   VolumeComposite composite;                   ///< of the sweeps
   VolumeComposite lowest; ///< of reflectivity: of the first sweep of the lowest tilt
-  EchoLayers layers;      ///< of reflectivity, when PrepareForGrid was asked for them
+  std::shared_ptr<const EchoLayers> layers = ///< of reflectivity, when PrepareForGrid was asked for
+    std::make_shared<const EchoLayers>();    ///< them; shared by copies of the volume
   double voxelSide = 0.0; ///< m, of the voxels for which the sweeps' means were made; 0: for none
 
   std::size_t MemoryBytes() const;

@@ -311,7 +311,8 @@ BeamVolume PrepareForGrid(
   if (decibels && options.trend)
   {
     const double ceiling = CeilingOver(volume.site);
-    prepared.layers = EchoLayers(prepared.sweeps, beamWidth, options.beam, ceiling);
+    prepared.layers =
+      std::make_shared<const EchoLayers>(prepared.sweeps, beamWidth, options.beam, ceiling);
   }
   MakeMeans(grid, options, prepared);
   return prepared;
@@ -408,30 +409,36 @@ BeamVolumes BeamMerger::Prepare(
   return ready;
 }
 
-BeamVolumes BeamMerger::WithMeans(const BeamVolumes& volumes)
+BeamVolumes BeamMerger::WithMeans(const BeamVolumes& volumes, const RangeLoop& loop)
 {
   const auto isGone = [](const Remade& each) { return each.source.expired(); };
   remade.erase(std::remove_if(remade.begin(), remade.end(), isGone), remade.end());
+  const auto find = [this](const std::shared_ptr<const BeamVolume>& volume)
+  {
+    return std::find_if(remade.begin(), remade.end(),
+      [&volume](const Remade& each) { return each.source.lock() == volume; });
+  };
+  std::vector<Remade> missing;
+  for (const std::shared_ptr<const BeamVolume>& volume : volumes)
+  {
+    if (!HasMeans(*volume, grid, options) && find(volume) == remade.end())
+    {
+      missing.push_back({volume, nullptr});
+    }
+  }
+  RunEach(loop, missing.size(),
+    [&](std::size_t i)
+    {
+      auto made = std::make_shared<BeamVolume>(*missing[i].source.lock());
+      MakeMeans(grid, options, *made);
+      missing[i].volume = std::move(made);
+    });
+  remade.insert(remade.end(), missing.begin(), missing.end());
   BeamVolumes ready = volumes;
   for (std::shared_ptr<const BeamVolume>& volume : ready)
   {
-    if (HasMeans(*volume, grid, options))
-    {
-      continue;
-    }
-    const auto found = std::find_if(remade.begin(), remade.end(),
-      [&volume](const Remade& each) { return each.source.lock() == volume; });
-    if (found == remade.end())
-    {
-      auto made = std::make_shared<BeamVolume>(*volume);
-      MakeMeans(grid, options, *made);
-      remade.push_back({volume, made});
-      volume = std::move(made);
-    }
-    else
-    {
-      volume = found->volume;
-    }
+    const auto found = find(volume);
+    volume = found != remade.end() ? found->volume : volume;
   }
   return ready;
 }
@@ -580,18 +587,19 @@ GriddedVolume BeamMerger::VolumeToFill(
 std::optional<GriddedVolume> BeamMerger::Merge(const BeamVolumes& volumes, Time time,
   const MotionField* motion, const RangeLoop& loop, const Progress& progress, GriddedVolume memory)
 {
-  BeamMergePlan plan = this->Plan(volumes, time, motion);
+  BeamMergePlan plan = this->Plan(volumes, time, motion, loop);
   return this->Merge(plan, loop, progress, std::move(memory));
 }
 
-BeamMergePlan BeamMerger::Plan(const BeamVolumes& volumes, Time time, const MotionField* motion)
+BeamMergePlan BeamMerger::Plan(
+  const BeamVolumes& volumes, Time time, const MotionField* motion, const RangeLoop& loop)
 {
   if (motion != nullptr && !motion->Covers(grid))
   {
     throw Error("the motion must be that of the grid of the merge, or constant");
   }
   const bool moves = motion != nullptr && motion->FastestSpeed() > 0.0;
-  BeamMergePlan plan{this->WithMeans(volumes), time, moves ? motion : nullptr, {}};
+  BeamMergePlan plan{this->WithMeans(volumes, loop), time, moves ? motion : nullptr, {}};
   plan.sites = this->MakeSites(plan.volumes, time, plan.motion);
   return plan;
 }

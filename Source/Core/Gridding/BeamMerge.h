@@ -122,7 +122,8 @@ public:
 
   /// The same in two steps, for several blocks: Plan does what is common to all of them. `motion`
   /// must outlive the plan.
-  BeamMergePlan Plan(const BeamVolumes& volumes, Time time, const MotionField* motion);
+  BeamMergePlan Plan(
+    const BeamVolumes& volumes, Time time, const MotionField* motion, const RangeLoop& loop = {});
   std::optional<GriddedVolume> Merge(BeamMergePlan& plan, const RangeLoop& loop = {},
     const Progress& progress = {}, GriddedVolume memory = {});
 
@@ -154,7 +155,7 @@ private:
     std::shared_ptr<const SiteGeometry> geometry;
   };
 
-  BeamVolumes WithMeans(const BeamVolumes& volumes);
+  BeamVolumes WithMeans(const BeamVolumes& volumes, const RangeLoop& loop);
   void FindGeometries(const std::vector<Position>& positions, const RangeLoop& loop);
   const SiteGeometry& GeometryOf(const Position& position) const;
   std::vector<MergeSite> MakeSites(

@@ -15,11 +15,11 @@ SiteLayers::SiteLayers(
   for (const BeamVolume* volume : volumes)
   {
     const Time middle = volume->start + (volume->end - volume->start) / 2;
-    Part part{&volume->layers, static_cast<float>((middle - time).count()) / 1000.0F, {}, {}};
+    Part part{volume->layers.get(), static_cast<float>((middle - time).count()) / 1000.0F, {}, {}};
     const float weight = 1.0F / (1.0F + part.seconds * part.seconds / (half * half));
     for (std::size_t gap = 0; gap < gapCount; ++gap)
     {
-      part.gaps.push_back(volume->layers.FindGap(tilts[gap].elevation, tilts[gap + 1].elevation));
+      part.gaps.push_back(volume->layers->FindGap(tilts[gap].elevation, tilts[gap + 1].elevation));
       part.shares.push_back(weight);
       sums[gap] += weight;
     }

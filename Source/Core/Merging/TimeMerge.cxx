@@ -237,7 +237,7 @@ std::vector<PlannedMoment> PlanMoments(const std::vector<ReadyVolume>& volumes,
     const BeamVolumes ready = BeamVolumesOf(OfMoment(volumes, moment));
     BeamMerger& merger = run.MergerFor(request);
     const auto motion = run.MotionFor(ready, request);
-    planned.push_back({motion, merger.Plan(ready, request.time, motion.get())});
+    planned.push_back({motion, merger.Plan(ready, request.time, motion.get(), request.loop)});
   }
   return planned;
 }

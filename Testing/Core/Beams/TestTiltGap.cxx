@@ -265,7 +265,7 @@ TEST(EchoLayers, ChangeNothingWithoutEcho)
     PrepareForGrid(Scan([](const BeamPoint&, double) { return -1.0; }), SceneGrid(), {});
   for (float azimuth = 0.5F; azimuth < 360.0F; azimuth += 10.0F)
   {
-    EXPECT_EQ(quiet.layers.GapsAt({azimuth, 0.005F}), 0U);
+    EXPECT_EQ(quiet.layers->GapsAt({azimuth, 0.005F}), 0U);
   }
-  EXPECT_AT_MOST(quiet.layers.MemoryBytes(), 500U, "memory without echo, bytes");
+  EXPECT_AT_MOST(quiet.layers->MemoryBytes(), 500U, "memory without echo, bytes");
 }
