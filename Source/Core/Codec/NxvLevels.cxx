@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
+#include <numeric>
 
 namespace nexrad
 {
@@ -111,19 +113,38 @@ public:
     const std::size_t layer = number / rows;
     const std::size_t start = to.First(firstRow + row, layer);
     VoxelState* states = coarse.states.data() + start;
-    this->ForRowsOf(row, layer,
-      [&](std::size_t first)
-      {
-        for (std::size_t x = 0; x < from.length; ++x)
-        {
-          states[x / voxels[0]] = SayingMore(states[x / voxels[0]], fine.states[first + x]);
-        }
-      });
+    std::vector<VoxelState> most(from.length, VoxelState::NotScanned);
+    this->ForRowsOf(row, layer, [&](std::size_t first) { this->SayMore(first, most); });
+    for (std::size_t x = 0; x < to.length; ++x)
+    {
+      const auto begin = most.begin() + static_cast<std::ptrdiff_t>(x * voxels[0]);
+      const auto end =
+        most.begin() + static_cast<std::ptrdiff_t>(std::min((x + 1) * voxels[0], from.length));
+      states[x] = std::accumulate(begin + 1, end, *begin, SayingMore);
+    }
     ForEachEcho(states, to.length,
       [&](std::size_t x) { coarse.values[start + x] = this->MeanAt(x, row, layer); });
   }
 
 private:
+  // Of each voxel of a row, and of one in the same place, the state that says more. Nearly all are
+  // alike: several at once are compared.
+  void SayMore(std::size_t first, std::vector<VoxelState>& most) const
+  {
+    constexpr std::size_t together = 32;
+    const VoxelState* own = fine.states.data() + first;
+    for (std::size_t begin = 0; begin < from.length; begin += together)
+    {
+      const std::size_t end = std::min(begin + together, from.length);
+      if (std::memcmp(own + begin, most.data() + begin, end - begin) != 0)
+      {
+        std::transform(most.begin() + static_cast<std::ptrdiff_t>(begin),
+          most.begin() + static_cast<std::ptrdiff_t>(end), own + begin,
+          most.begin() + static_cast<std::ptrdiff_t>(begin), SayingMore);
+      }
+    }
+  }
+
   // Calls `visit` with the first voxel of each row that a row takes the place of.
   template <class Visit>
   void ForRowsOf(std::size_t row, std::size_t layer, const Visit& visit) const
