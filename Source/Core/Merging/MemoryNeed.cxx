@@ -8,6 +8,7 @@
 #include "nexrad/Gridding/BeamMerge.h"
 #include "nexrad/Merging/Store.h"
 #include "nexrad/Model/SiteTable.h"
+#include "nexrad/Motion/MotionField.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/MachineMemory.h"
 #include "nexrad/Thesis/ThesisMerge.h"
@@ -33,19 +34,43 @@ constexpr std::size_t programBytes = 80 * mebibyte;
 // Bytes for each byte of a file of the archive as it is stored. Documentation/User/6-benchmarks.md
 // compares the sum with what runs took.
 constexpr std::size_t decodedBytes = 16;    // of a file while it is decoded, with its polar data
-constexpr std::size_t readyBytes = 8;       // of a moment that is ready for merges
+constexpr double readyBytes = 4.7;          // of a moment that is ready for merges
+constexpr double mostMeans = 4.9;           // of its means, for voxels twice as wide as most gates
+constexpr double widthOfMostMeans = 500.0;  // m, of these voxels; twice the width halves the means
 constexpr std::size_t leastFile = mebibyte; // smaller files stand for the start of larger ones
 
 // Volumes of a radar that a time takes, and one of the time before.
 constexpr std::size_t volumesOfARadar = 4;
 
-std::size_t RayBytes(const MergeOptions& options, const InputSizes& inputs, unsigned threads)
+// Bytes of all moments that are ready for merges at a time, where one has so many for each byte of
+// its file.
+std::size_t ReadyBytes(
+  const MergeOptions& options, const InputSizes& inputs, unsigned threads, double ofAByte)
 {
-  const std::size_t file = std::max(inputs.fileBytes, leastFile);
   const std::size_t ahead = FilesAhead * threads;
   const std::size_t held = std::min(inputs.files, volumesOfARadar * inputs.radars + ahead);
+  const std::size_t stored =
+    held * std::max(inputs.fileBytes, leastFile) * options.Moments().size();
+  return static_cast<std::size_t>(static_cast<double>(stored) * ofAByte);
+}
+
+std::size_t RayBytes(const MergeOptions& options, const InputSizes& inputs, unsigned threads)
+{
   const std::size_t decoding = std::min<std::size_t>(inputs.files, threads);
-  return file * (decoding * decodedBytes + held * readyBytes * options.Moments().size());
+  return std::max(inputs.fileBytes, leastFile) * decoding * decodedBytes +
+         ReadyBytes(options, inputs, threads, readyBytes);
+}
+
+// Of the narrowest voxels, m; 0: of those for which means take the most.
+std::size_t MeansBytes(
+  const MergeOptions& options, const InputSizes& inputs, unsigned threads, double width)
+{
+  if (options.method != MergeMethod::Beam || !options.beam.means)
+  {
+    return 0;
+  }
+  const double part = std::min(1.0, widthOfMostMeans / std::max(width, widthOfMostMeans));
+  return ReadyBytes(options, inputs, threads, mostMeans * part);
 }
 
 // The use of merges of which there may be one alone: then no volume of another time is there.
@@ -113,7 +138,7 @@ std::array<int, 3> DimensionsWithin(
                      " needs " + MemoryText(need.Total()) + " of memory; " +
                      (limit.option.empty() ? "there is " + MemoryText(limit.bytes)
                                            : limit.option + " allows " + MemoryText(limit.bytes));
-  const std::size_t fixed = need.rays + need.program;
+  const std::size_t fixed = need.rays + need.means + need.program;
   const std::array<int, 3> fitting =
     limit.bytes > fixed ? DimensionsWithin(options, use, static_cast<double>(need.geometry),
                             static_cast<double>(limit.bytes - fixed))
@@ -218,6 +243,7 @@ MemoryNeed RequireMemory(const MergeOptions& options, const InputSizes& inputs, 
       options, inputs, threads, use, GridOf(options, places, DefaultRange), places);
   }
   MemoryNeed need = NeedOf(options, dimensions, inputs, threads, use);
+  need.means = MeansBytes(options, inputs, threads, 0.0);
   const std::size_t least = need.Total();
   if (options.method == MergeMethod::Beam)
   {
@@ -234,6 +260,8 @@ MemoryNeed RequireMemory(const MergeOptions& options, const InputSizes& inputs, 
   {
     need.geometry = GeometryBytes(grid, radars, use.rows);
   }
+  const std::array<double, 2> voxel = VoxelExtent(grid, 0.5 * (grid.dimensions[1] - 1));
+  need.means = MeansBytes(options, inputs, threads, std::min(voxel[0], voxel[1]));
   return Require(options, need, need.Total(), UseOf(options, inputs, use));
 }
 

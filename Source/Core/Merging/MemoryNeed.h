@@ -31,9 +31,10 @@ struct MemoryNeed
   std::size_t voxels = 0;   ///< merged volumes, and what is made of them
   std::size_t geometry = 0; ///< columns of the grid as seen from the radars
   std::size_t rays = 0;     ///< files that are decoded, and volumes made ready; not kept ones
+  std::size_t means = 0;    ///< of these volumes' gates, for voxels coarser than gates
   std::size_t program = 0;  ///< the program and its libraries
 
-  std::size_t Total() const { return voxels + geometry + rays + program; }
+  std::size_t Total() const { return voxels + geometry + rays + means + program; }
 };
 
 /// Bytes of each voxel of one moment of a merged volume, with what the options add to it.
@@ -55,11 +56,11 @@ InputSizes SizesOf(const std::vector<std::filesystem::path>& paths, std::size_t 
 std::vector<Position> KnownPlaces(const std::optional<std::vector<SiteFileList>>& headers);
 
 /// The need of merges with these options for a grid of these dimensions. `threads` decode files.
-/// Without `geometry`, which depends on where the radars are.
+/// Without `geometry` and `means`, which depend on where the radars are.
 MemoryNeed NeedOf(const MergeOptions& options, const std::array<int, 3>& dimensions,
   const InputSizes& inputs, unsigned threads, const VolumeUse& use);
 
-/// The same, with the geometry of radars at these `places`, as far as they are known. Throws Error
+/// The same with these, of radars at these `places`, as far as they are known. Throws Error
 /// when it is above the limit of the options: how much is needed, which dimensions of the same
 /// proportions fit, and which limit does.
 MemoryNeed RequireMemory(const MergeOptions& options, const InputSizes& inputs, unsigned threads,

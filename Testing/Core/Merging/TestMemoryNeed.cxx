@@ -113,6 +113,27 @@ TEST(MemoryNeed, CountsWhatAMergerKeepsOfTheRadars)
   EXPECT_EQ(GeometryBytes(grid, {radar, radar}, 12), 2U * 64U * 12U * 8U);
 }
 
+// Formulas G10: voxels twice as wide have half as many cells, and narrow ones have none.
+TEST(MemoryNeed, CountsTheMeansOfWideVoxels)
+{
+  const Position radar = {38.7, -90.7, 200.0};
+  MergeOptions options;
+  const auto means = [&](int columns)
+  {
+    options.grid.dimensions = {columns, columns, 8};
+    const GridSpecification grid = MakeGrid(options.grid, {radar});
+    return static_cast<double>(RequireMemory(options, twoFiles, 2, written, grid, {radar}).means);
+  };
+  const double wide = means(100);
+  EXPECT_NEAR(means(200), 2.0 * wide, 0.01 * wide);
+  EXPECT_EQ(means(1000), means(2000));
+  options.beam.means = false;
+  EXPECT_EQ(means(100), 0.0);
+  options.beam.means = true;
+  options.method = MergeMethod::Thesis;
+  EXPECT_EQ(means(100), 0.0);
+}
+
 TEST(MemoryNeed, LargerAndMoreFilesNeedMore)
 {
   const MergeOptions options;
