@@ -143,6 +143,49 @@ TEST(GridCommand, OptionsReachTheVolumes)
   EXPECT_NEAR(volume.grid.centreLongitude, -76.0, 1e-9);
 }
 
+// Voxels of a tenth of a degree, whose faces are whole tenths; echo stands where it does in metres.
+TEST(GridCommand, VoxelsOfLongitudeAndLatitude)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const TemporaryFolder folder;
+  const auto grid = [&](const std::string& axes)
+  {
+    const ProgramRun run = RunNexrad3d({"grid", data / "level2" / "run-kbgm-20050821", "-o",
+      folder.Path() / axes, "--axes", axes, "--dims", "60x40x10", "--bounds", "-79,40,-73,44",
+      "--begin", "2005-08-21T02:55", "--end", "2005-08-21T02:55", "--quiet"});
+    EXPECT_EQ(run.status, 0) << run.errors;
+    return ReadNxv(folder.Path() / axes / "20050821T025500Z.nxv");
+  };
+  const GriddedVolume degrees = grid("geographic");
+  EXPECT_EQ(degrees.grid.axes, GridAxes::Geographic);
+  EXPECT_NEAR(degrees.grid.origin[0], -78.95, 1e-9);
+  EXPECT_NEAR(degrees.grid.origin[1], 40.05, 1e-9);
+  EXPECT_NEAR(degrees.grid.spacing[0], 0.1, 1e-9);
+  EXPECT_NEAR(degrees.grid.spacing[1], 0.1, 1e-9);
+  const auto middle = [](const GriddedVolume& volume)
+  {
+    std::array<double, 2> sum = {0.0, 0.0};
+    double echoes = 0.0;
+    for (std::size_t i = 0; i < volume.states.size(); ++i)
+    {
+      if (volume.states[i] == VoxelState::Echo)
+      {
+        const int x = static_cast<int>(i % 60);
+        const int y = static_cast<int>(i / 60 % 40);
+        const auto place =
+          volume.grid.ToGeographic(volume.grid.Coordinate(0, x), volume.grid.Coordinate(1, y));
+        sum = {sum[0] + place[0], sum[1] + place[1]};
+        ++echoes;
+      }
+    }
+    return std::array{sum[0] / echoes, sum[1] / echoes};
+  };
+  const auto expected = middle(grid("projected"));
+  const auto found = middle(degrees);
+  EXPECT_WITHIN(found[0], expected[0], 0.03, "longitude of the echo's middle, degrees");
+  EXPECT_WITHIN(found[1], expected[1], 0.03, "latitude of the echo's middle, degrees");
+}
+
 TEST(GridCommand, AncillaryArraysOnRequest)
 {
   NEXRAD_REQUIRE_TEST_DATA(data);

@@ -80,7 +80,7 @@ TEST(OptionTexts, BoxesAreInTheUnitOfTheAxes)
   scene::DrawingRequest request;
   request.input.box = BoxRequest{{-98.0, -97.25, 35.0, 36.0}}; // as the mouse makes it
   request.input.grid.grid.axes = GridAxes::Geographic;
-  EXPECT_EQ(Joined(OptionTextsOf(request)), Joined(options));
+  EXPECT_EQ(Joined(OptionTextsOf(request)), Joined(options) + "--axes=geographic ");
   request.input.grid.grid.axes = GridAxes::Projected;
   EXPECT_EQ(Joined(OptionTextsOf(request)), "--box=-98m,-97.25m,35m,36m ");
 }

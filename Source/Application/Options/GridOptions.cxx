@@ -14,11 +14,8 @@ void AddGridOptions(CLI::App& command, MergeOptions& options)
   options.memoryLimit = {MachineMemory().value_or(0), ""};
   for (const Setting<MergeOptions>& setting : MergeSettings())
   {
-    if (setting.IsOption())
-    {
-      AddSetting(command, setting, options)
-        ->group(setting.use == SettingUse::Machine ? "Memory and threads" : "Merging radar files");
-    }
+    AddSetting(command, setting, options)
+      ->group(setting.use == SettingUse::Machine ? "Memory and threads" : "Merging radar files");
   }
   command.parse_complete_callback(
     [&command, &options] { CheckGiven(command, MergeSettings(), options); });

@@ -240,8 +240,8 @@ void AddDomain(Rows& rows)
       HeightRangeValue(), [](auto& of) { return std::tie(of.grid.bottom, of.grid.top); }));
   rows.push_back(MakeSetting<MergeOptions>(
     {"axes",
-      "What x and y are: projected (m east and north of the centre), or geographic (degrees)", "",
-      "", SettingUse::Library},
+      "What x and y are: projected (m east and north of the centre of the domain), or geographic "
+      "(degrees of longitude and latitude)"},
     ChoiceValue<GridAxes>(
       "kind of axes", {{"projected", GridAxes::Projected}, {"geographic", GridAxes::Geographic}}),
     [](auto& of) -> auto& { return of.grid.axes; }));

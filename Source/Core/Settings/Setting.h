@@ -27,7 +27,6 @@ enum class SettingUse
 {
   Result,  ///< it changes what is made
   Machine, ///< it changes no result, but the time and memory that it takes
-  Library, ///< it changes what is made, and is no option of the program
   Picture, ///< it changes pictures and the window, and is no option of pages
   Program  ///< likewise, and it is an option of the program alone
 };
@@ -45,8 +44,6 @@ struct SettingRow
   std::string usual = {}; ///< text of the default
 
   bool IsFlag() const { return value.unit.empty(); }
-  /// Whether the program has it.
-  bool IsOption() const { return use != SettingUse::Library; }
   /// "--overlap-length"; of a flag that is on by default "--no-sharpening".
   std::string Option() const;
   /// The text of a number: of metres, of seconds, of 0 or 1 for a flag, or of the place of a name
@@ -159,8 +156,7 @@ std::vector<OptionText> ToTexts(
   {
     const std::string text = setting.text(settings);
     const bool isUsual = text == setting.text(usual) || (setting.IsFlag() && text == setting.usual);
-    if (setting.IsOption() && setting.use != SettingUse::Machine && !isUsual &&
-        setting.refusal(settings).empty())
+    if (setting.use != SettingUse::Machine && !isUsual && setting.refusal(settings).empty())
     {
       texts.push_back({setting.Option(), setting.IsFlag() ? "" : text});
     }
