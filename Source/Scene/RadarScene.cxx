@@ -826,7 +826,8 @@ void RadarScene::Aim()
     renderer->GetActiveCamera(), view, {outline, scales.labels}, {size, right, taken}, pictures);
   if (view.lookAt && (!view.lookAt->geographic || frame.HasMap())) // not before the first volume
   {
-    CentreOn(renderer->GetActiveCamera(), frame.ToScene(frame.PlaceOf(*view.lookAt)));
+    const auto point = frame.ToScene(frame.PlaceOf(*view.lookAt));
+    CentreOn(renderer->GetActiveCamera(), point, view.nearness);
   }
   this->FitClippingRange();
   this->DrawLabels();

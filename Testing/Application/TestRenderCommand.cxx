@@ -136,6 +136,12 @@ TEST(RenderCommand, Movies)
   EXPECT_EQ(movie.substr(0, 4), "OggS");
   EXPECT_NE(movie.find("theora"), std::string::npos);
   EXPECT_AT_LEAST(movie.size(), 30'000U, "size of the movie, bytes");
+  const ProgramRun flight = RunNexrad3d({"render", series, "-o", folder.Path() / "flight.ogv",
+    "--size", small, "--frames", "4", "--fly", "--zoom", "8"});
+  EXPECT_EQ(flight.status, 0) << flight.errors;
+  const ProgramRun rest = RunNexrad3d({"render", series, "-o", folder.Path() / "rest.ogv", "--size",
+    small, "--frames", "4", "--zoom", "8"});
+  EXPECT_NE(FileContent(folder.Path() / "flight.ogv"), FileContent(folder.Path() / "rest.ogv"));
 }
 
 namespace

@@ -122,6 +122,8 @@ TEST(Usage, WrongOptionsAreNamed)
   ExpectWrongUsage({"grid", "a", "-o", "b", "--step", "5minutes"}, {"--step", "5min"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--bounds", "-86,36,-97,43"},
     {"--bounds", "its lower bound above its upper bound"});
+  ExpectWrongUsage({"grid", "a", "-o", "b", "--axes", "polar"}, {"--axes", "geographic"});
+  ExpectWrongUsage({"render", "a", "-o", "b.ogv", "--fly"}, {"--fly", "--look-at or --zoom"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--height", "20km,0"},
     {"--height", "its lower bound above its upper bound"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--range", "0"}, {"--range"});

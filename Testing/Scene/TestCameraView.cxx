@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 using namespace nexrad::scene;
 
@@ -105,5 +107,34 @@ TEST(CameraView, ZoomOfTwoDoublesThePictureAboutItsCentre)
     EXPECT_WITHIN(after[0], 2.0 * before[0], 0.0045, "place across at twice the zoom, half widths");
     EXPECT_WITHIN(
       after[1], 2.0 * before[1], 0.0135, "place upwards at twice the zoom, half heights");
+  }
+}
+
+// From the whole frame to a view: the picture grows, and what is looked at comes to its middle.
+TEST(CameraView, AFlightEndsAtTheView)
+{
+  const std::array<double, 3> target = {310.0, 220.0, 40.0};
+  for (const double zoom : {1.0, 12.0})
+  {
+    CameraView view{200.0, 35.0, zoom, false};
+    view.lookAt = LookAt{target, false};
+    EXPECT_TRUE(OnTheWayTo(view, 1.0) == view);
+    EXPECT_EQ(OnTheWayTo(view, 0.0).zoom, 1.0);
+    EXPECT_EQ(OnTheWayTo(view, 0.0).nearness, 0.0);
+    double before = std::numeric_limits<double>::infinity();
+    double zoomBefore = 1.0;
+    for (const double part : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0})
+    {
+      const CameraView there = OnTheWayTo(view, part);
+      vtkNew<vtkCamera> camera;
+      PointCamera(camera, there, box, aspect, {});
+      CentreOn(camera, target, there.nearness);
+      const auto [x, y] = Project(camera, target[0], target[1], target[2]);
+      EXPECT_LT(std::hypot(x, y), before) << zoom << " " << part;
+      EXPECT_GE(there.zoom, zoomBefore);
+      before = std::hypot(x, y);
+      zoomBefore = there.zoom;
+    }
+    EXPECT_NEAR(before, 0.0, 1e-9);
   }
 }

@@ -159,6 +159,20 @@ void DrawPictures(const RenderRequest& request, Shown& shown, Outcome& report)
   }
 }
 
+// From where a frame of a movie is seen.
+CameraView ViewOf(std::size_t frame, std::size_t frames, const RenderRequest& request)
+{
+  const auto number = static_cast<double>(frame);
+  const auto count = static_cast<double>(frames);
+  CameraView view = request.camera;
+  if (request.fly && frames > 1)
+  {
+    view = OnTheWayTo(view, number / (count - 1.0)); // the last frame is there
+  }
+  view.azimuth += request.turn * number / count; // the last frame is one before the first
+  return view;
+}
+
 void DrawMovie(const RenderRequest& request, Shown& shown, Outcome& report)
 {
   const std::size_t count = shown.times.size();
@@ -170,9 +184,7 @@ void DrawMovie(const RenderRequest& request, Shown& shown, Outcome& report)
   for (std::size_t frame = 0; frame < frames; ++frame)
   {
     const Progress part = ShareOf(drawing, frame, frames);
-    CameraView view = request.camera;
-    view.azimuth += request.turn * static_cast<double>(frame) / static_cast<double>(frames);
-    scene->SetView(view);
+    scene->SetView(ViewOf(frame, frames, request));
     shown.session->Show(static_cast<int>(frame * count / frames), part);
     writer->AddFrame(DrawFor(request.output, window));
     GoOn(part);

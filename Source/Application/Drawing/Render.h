@@ -17,6 +17,7 @@ struct RenderRequest : DrawingRequest
   int framesPerSecond = 8;      ///< of a movie
   int frames = 0;               ///< of a movie; 0: one for each time
   double turn = 0.0;            ///< degrees by which the camera goes round during a movie
+  bool fly = false;             ///< from the whole frame to the view of the camera during a movie
   Progress progress;
 };
 

@@ -53,6 +53,10 @@ void AddMovie(CLI::App& command, scene::RenderRequest& request)
   AddValueOption(command, "--turn", request.turn, RealValue(-36'000.0, 36'000.0, "DEGREES"),
     "How far the camera goes round during the movie")
     ->group(group);
+  command
+    .add_flag("--fly", request.fly,
+      "The camera flies from the whole frame to --zoom and --look-at during the movie")
+    ->group(group);
 }
 
 // Throws for what a file of that kind cannot show.
@@ -66,6 +70,10 @@ void CheckOutput(const scene::RenderRequest& request)
   if (extension == ".glb" && request.scene.plan)
   {
     throw CLI::ValidationError("--output", "a .glb has surfaces; a map is a .png or a .tif");
+  }
+  if (request.fly && !request.camera.lookAt && request.camera.zoom == 1.0)
+  {
+    throw CLI::ValidationError("--fly", "needs a place to fly to; write --look-at or --zoom");
   }
   if (extension == ".glb" && !request.scene.colourBy.empty())
   {

@@ -123,7 +123,7 @@ void PointCamera(vtkCamera* camera, const CameraView& view, const std::vector<Ve
   camera->Zoom(view.zoom);
 }
 
-void CentreOn(vtkCamera* camera, const Vector& point)
+void CentreOn(vtkCamera* camera, const Vector& point, double part)
 {
   Vector position{};
   Vector focus{};
@@ -135,12 +135,24 @@ void CentreOn(vtkCamera* camera, const Vector& point)
   const double along = Dot(way, forward);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const double sideways = way[axis] - along * forward[axis];
+    const double sideways = part * (way[axis] - along * forward[axis]);
     position[axis] += sideways;
     focus[axis] += sideways;
   }
   camera->SetPosition(position.data());
   camera->SetFocalPoint(focus.data());
+}
+
+CameraView OnTheWayTo(const CameraView& view, double part)
+{
+  const double eased = part * part * (3.0 - 2.0 * part);
+  CameraView there = view;
+  there.zoom = std::pow(view.zoom, eased);
+  // In the picture, what is looked at then moves as the zoom grows.
+  constexpr double same = 1e-6;
+  const double whole = 1.0 - 1.0 / view.zoom;
+  there.nearness = std::abs(whole) > same ? (1.0 - 1.0 / there.zoom) / whole : eased;
+  return there;
 }
 
 std::array<double, 2> RightOf(const CameraView& view)

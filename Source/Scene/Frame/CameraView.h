@@ -33,11 +33,12 @@ struct CameraView
   bool parallel = false;  ///< parallel in place of perspective projection
   std::optional<LookAt> lookAt = {}; ///< what is in the middle of the picture, once the camera has
                                      ///< moved sideways to it; empty: the domain fills the picture
+  double nearness = 1.0;             ///< 0…1, how far the camera has moved on its way to lookAt
 
   bool operator==(const CameraView& other) const
   {
     return azimuth == other.azimuth && tilt == other.tilt && zoom == other.zoom &&
-           parallel == other.parallel && lookAt == other.lookAt;
+           parallel == other.parallel && lookAt == other.lookAt && nearness == other.nearness;
   }
 };
 
@@ -59,9 +60,13 @@ void PointCamera(vtkCamera* camera, const CameraView& view, const std::array<dou
 void PointCamera(vtkCamera* camera, const CameraView& view,
   const std::vector<std::array<double, 3>>& points, double aspect, const PictureArea& area);
 
-/// Moves the camera sideways until a point of the scene is in the middle of the picture. What the
-/// camera sees keeps its direction and its size.
-void CentreOn(vtkCamera* camera, const std::array<double, 3>& point);
+/// Moves the camera sideways until a point of the scene is in the middle of the picture, or a part
+/// of this way, 0…1. What the camera sees keeps its direction and its size.
+void CentreOn(vtkCamera* camera, const std::array<double, 3>& point, double part = 1.0);
+
+/// The view at a part of the way, 0…1, on which the camera flies from the whole frame to `view`. It
+/// starts and ends gently; what `view` looks at comes straight to the middle of the picture.
+CameraView OnTheWayTo(const CameraView& view, double part);
 
 /// The camera's right-hand direction, a unit vector on the ground.
 std::array<double, 2> RightOf(const CameraView& view);
