@@ -90,9 +90,8 @@ protected:
     const MergeOptions& options, const VolumeFiles& written, const Words& words)
   {
     const InputFiles found = FindInputFiles({folder->Path() / "files"});
-    const MemoryNeed need =
-      RequireMemory(options, SizesOf(found.paths, 3), vtkNexradThreadCount(),
-        UseOfWriting(written, options), KnownPlaces(ListByHeaders(found.paths)));
+    const MemoryNeed need = RequireMemory(options, SizesOf(found.paths, 3), vtkNexradThreadCount(),
+      UseOfWriting(written, options), KnownPlaces(ListByHeaders(found.paths)));
     const auto& size = options.grid.dimensions;
     const std::string dims =
       std::to_string(size[0]) + "x" + std::to_string(size[1]) + "x" + std::to_string(size[2]);
