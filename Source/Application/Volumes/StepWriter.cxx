@@ -132,7 +132,8 @@ VolumeUse UseOfWriting(const VolumeFiles& files, const MergeOptions& options)
     return {1, exact ? 2 * sizeof(float) : 0};
   }
   constexpr std::size_t ghostType = 1;
-  return {1, moments * BytesOfAVoxel(options) + ghostType};
+  constexpr std::size_t libraries = std::size_t(24) << 20; // of NetCDF and HDF5, with their buffers
+  return {1, moments * BytesOfAVoxel(options) + ghostType, 0, libraries};
 }
 
 StepWriter::StepWriter(UnfinishedRun& theRun, const VolumeFiles& theFiles)

@@ -156,8 +156,8 @@ std::vector<std::array<double, 2>> PointsOnCircles(const std::vector<Position>& 
   return points;
 }
 
-// The sites whose circles may touch a side of the box of all circles. The projection shows no way
-// shorter than it is, and none that far from its centre longer by more than angle/sin(angle).
+// The sites whose circles may touch a side of the box of all circles. The projection shortens no
+// way, and at an angle from its centre it stretches none by more than angle/sin(angle).
 std::vector<Position> OutermostSites(
   const GridSpecification& projected, const std::vector<Position>& sites, double range)
 {

@@ -34,7 +34,8 @@ constexpr std::size_t programBytes = 80 * mebibyte;
 // Bytes for each byte of a file of the archive as it is stored. Documentation/User/6-benchmarks.md
 // compares the sum with what runs took.
 constexpr std::size_t decodedBytes = 16;    // of a file while it is decoded, with its polar data
-constexpr double readyBytes = 4.7;          // of a moment that is ready for merges
+constexpr std::size_t furtherBytes = 8;     // and of each moment but the first
+constexpr double readyBytes = 5.2;          // of a moment that is ready for merges
 constexpr double mostMeans = 4.9;           // of its means, for voxels twice as wide as most gates
 constexpr double widthOfMostMeans = 500.0;  // m, of these voxels; twice the width halves the means
 constexpr std::size_t leastFile = mebibyte; // smaller files stand for the start of larger ones
@@ -57,11 +58,12 @@ std::size_t ReadyBytes(
 std::size_t RayBytes(const MergeOptions& options, const InputSizes& inputs, unsigned threads)
 {
   const std::size_t decoding = std::min<std::size_t>(inputs.files, threads);
-  return std::max(inputs.fileBytes, leastFile) * decoding * decodedBytes +
+  const std::size_t further = furtherBytes * (options.Moments().size() - 1);
+  return std::max(inputs.fileBytes, leastFile) * decoding * (decodedBytes + further) +
          ReadyBytes(options, inputs, threads, readyBytes);
 }
 
-// Of the narrowest voxels, m; 0: of those for which means take the most.
+// `width` is that of the voxels, m; 0 where it is not known: then they take the most.
 std::size_t MeansBytes(
   const MergeOptions& options, const InputSizes& inputs, unsigned threads, double width)
 {
@@ -78,7 +80,7 @@ VolumeUse UseOf(const MergeOptions& options, const InputSizes& inputs, const Vol
 {
   const bool oneTime = options.time || (options.begin && options.begin == options.end) ||
                        (inputs.files == 1 && !options.step && !options.begin && !options.end);
-  return {oneTime ? 0 : use.others, use.bytesAVoxel, use.rows};
+  return {oneTime ? 0 : use.others, use.bytesAVoxel, use.rows, use.libraries};
 }
 
 std::size_t VoxelBytes(
@@ -214,7 +216,7 @@ MemoryNeed NeedOf(const MergeOptions& options, const std::array<int, 3>& dimensi
   MemoryNeed need;
   need.voxels = VoxelBytes(options, dimensions, UseOf(options, inputs, use));
   need.rays = RayBytes(options, inputs, threads);
-  need.program = programBytes;
+  need.program = programBytes + use.libraries;
   return need;
 }
 

@@ -21,11 +21,12 @@ struct VolumeUse
   std::size_t others = 0;      ///< merged volumes of other times that are there at the same time
   std::size_t bytesAVoxel = 0; ///< that are made of one volume, of all its moments together
   int rows = 0;                ///< of the grid that are there at a time; 0: all
+  std::size_t libraries = 0;   ///< bytes of the libraries that write them
 };
 
 /// The most memory that a run of merges has at a time, by what it is for, bytes. An estimate from
-/// the sizes of the buffers; what a run takes is within a fifth of it, but more where one file,
-/// which counts as one time, holds several volumes.
+/// the sizes of the buffers. A run takes no more, but where one file, which counts as one time,
+/// holds several volumes; it takes up to a fifth less, and 50 MiB less where it takes little.
 struct MemoryNeed
 {
   std::size_t voxels = 0;   ///< merged volumes, and what is made of them
