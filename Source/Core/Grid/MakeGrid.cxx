@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 namespace nexrad
 {
@@ -232,9 +233,16 @@ Box BoxAboutSites(
   GridSpecification projected;
   SetCentre(projected, MiddleOf(sites));
   const double range = RangeOf(request);
+  std::vector<Position> outermost;
+  std::vector<std::array<double, 2>> points; // on the circles about these
   const auto boxOfCircles = [&]
   {
-    return ProjectedBox(projected, PointsOnCircles(OutermostSites(projected, sites, range), range));
+    if (std::vector<Position> now = OutermostSites(projected, sites, range); now != outermost)
+    {
+      points = PointsOnCircles(now, range);
+      outermost = std::move(now);
+    }
+    return ProjectedBox(projected, points);
   };
   Box box = boxOfCircles();
   for (int round = 0; round < 8; ++round)

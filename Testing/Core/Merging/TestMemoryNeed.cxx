@@ -113,7 +113,7 @@ TEST(MemoryNeed, CountsWhatAMergerKeepsOfTheRadars)
   EXPECT_EQ(GeometryBytes(grid, {radar, radar}, 12), 2U * 64U * 12U * 8U);
 }
 
-// Formulas G10: voxels twice as wide have half as many cells, and narrow ones have none.
+// Formulas G10: voxels twice as wide have half as many cells; narrow ones count as those with most.
 TEST(MemoryNeed, CountsTheMeansOfWideVoxels)
 {
   const Position radar = {38.7, -90.7, 200.0};
