@@ -202,6 +202,20 @@ std::size_t NxvIndexBytes(const NxvArray& array, const std::array<int, 3>& dimen
   return VoxelsOf(BricksAlong(dimensions, array.brick)) * entrySize;
 }
 
+namespace
+{
+
+Bytes ReadIndex(
+  const NxvArray& array, const std::array<int, 3>& dimensions, const PayloadReader& read)
+{
+  Bytes index(NxvIndexBytes(array, dimensions));
+  const Bytes packed = read(0, array.indexLength);
+  InflateBytes(packed.data(), packed.size(), index.data(), index.size());
+  return index;
+}
+
+} // namespace
+
 NxvBrickArrays::NxvBrickArrays(const GridSpecification& grid)
   : dimensions(grid.dimensions)
   , band(VoxelBlock::Of(grid))
@@ -211,21 +225,31 @@ NxvBrickArrays::NxvBrickArrays(const GridSpecification& grid)
 
 VoxelBlock NxvBrickArrays::NextBand() const
 {
+  return this->NextRows(NxvBrickSize[1]);
+}
+
+VoxelBlock NxvBrickArrays::NextRows(int rows) const
+{
   VoxelBlock next = band;
   next.begin[1] = band.end[1];
-  next.end[1] = std::min(next.begin[1] + NxvBrickSize[1], dimensions[1]);
+  next.end[1] = std::min(next.begin[1] + rows, dimensions[1]);
   return next;
 }
 
-const VoxelBlock& NxvBrickArrays::BeginBand(const RangeLoop& theLoop)
+void NxvBrickArrays::BeginRows(int rows)
 {
   if (band.end[1] == dimensions[1])
   {
     throw Error("all rows of the grid have been made");
   }
-  loop = theLoop;
   bricksBefore += band.end[1] > 0 ? this->BricksInBand() : 0;
-  band = this->NextBand();
+  band = this->NextRows(rows);
+}
+
+const VoxelBlock& NxvBrickArrays::BeginBand(const RangeLoop& theLoop)
+{
+  this->BeginRows(NxvBrickSize[1]);
+  loop = theLoop;
   return band;
 }
 
@@ -319,6 +343,24 @@ void NxvBrickArrays::EndBand()
   }
 }
 
+void NxvBrickArrays::AddRows(
+  int rows, const std::vector<NxvArray>& finished, const PayloadReader& read)
+{
+  this->BeginRows(rows);
+  std::uint64_t offset = 0;
+  for (const NxvArray& array : finished)
+  {
+    const Bytes index = ReadIndex(array, SizeOf(band),
+      [&](std::uint64_t from, std::size_t size) { return read(offset + from, size); });
+    const Bytes bricks = read(offset + array.indexLength, array.length - array.indexLength);
+    Growing& growing = this->Find(array);
+    growing.index.insert(growing.index.end(), index.begin(), index.end());
+    growing.bricks.insert(growing.bricks.end(), bricks.begin(), bricks.end());
+    offset += array.length;
+  }
+  this->EndBand();
+}
+
 std::vector<NxvArray> NxvBrickArrays::Finish()
 {
   std::vector<NxvArray> finished;
@@ -406,10 +448,8 @@ void ReadBricks(const NxvArray& array, const std::array<int, 3>& dimensions,
   const VoxelBlock& block, const PayloadReader& read, std::uint8_t* target, const RangeLoop& loop)
 {
   const NxvVoxelBytes each = NxvVoxelBytes::Of(array.type);
-  Bytes index(NxvIndexBytes(array, dimensions));
-  const Bytes packed = read(0, array.indexLength);
-  InflateBytes(packed.data(), packed.size(), index.data(), index.size());
-  const std::vector<StoredBrick> bricks = FindBricks(array, dimensions, block, index);
+  const std::vector<StoredBrick> bricks =
+    FindBricks(array, dimensions, block, ReadIndex(array, dimensions, read));
   std::vector<Bytes> streams;
   for (const StoredBrick& brick : bricks)
   {

@@ -37,6 +37,10 @@ struct NxvVoxelBytes
 void CopyBlock(const NxvVoxelBytes& each, const std::array<int, 3>& dimensions,
   const VoxelBlock& block, const std::uint8_t* whole, std::uint8_t* target);
 
+/// Reads `size` bytes of an array's payload from `offset`.
+using PayloadReader =
+  std::function<std::vector<std::uint8_t>(std::uint64_t offset, std::size_t size)>;
+
 /// The arrays of a volume whose bricks are made band after band: rows of the grid, as many as a
 /// brick has, or fewer at the end.
 class NxvBrickArrays
@@ -46,6 +50,8 @@ public:
 
   /// Rows of the next band; none after the last one.
   VoxelBlock NextBand() const;
+  /// So many rows that follow the last ones made, as far as the grid has them.
+  VoxelBlock NextRows(int rows) const;
   /// Begins the next band, and returns it; `loop` makes its bricks. Throws Error after the last
   /// one.
   const VoxelBlock& BeginBand(const RangeLoop& loop);
@@ -55,6 +61,11 @@ public:
   /// Ends the band. In arrays that it did not have, but another band has, all its voxels are
   /// NxvStateAsCode in an array of states, and else 0.
   void EndBand();
+
+  /// Adds the next rows, whole bands, whose bricks were finished by themselves: `finished` has
+  /// their arrays, whose payloads `read` reads one after the other. Throws Error for an index that
+  /// does not fit.
+  void AddRows(int rows, const std::vector<NxvArray>& finished, const PayloadReader& read);
 
   /// The arrays, with lengths and check sums; after the last band.
   std::vector<NxvArray> Finish();
@@ -81,16 +92,14 @@ private:
   static void Append(const Brick& brick, Growing& to);
   static void FillUp(std::size_t count, Growing& to);
 
+  void BeginRows(int rows);
+
   const std::array<int, 3> dimensions;
   VoxelBlock band; // of the grid
   RangeLoop loop;
   std::size_t bricksBefore = 0; // the band
   std::vector<Growing> arrays;
 };
-
-/// Reads `size` bytes of an array's payload from `offset`.
-using PayloadReader =
-  std::function<std::vector<std::uint8_t>(std::uint64_t offset, std::size_t size)>;
 
 /// Unpacks the voxels of a block of an array in bricks into `target`; bricks elsewhere are not
 /// read. Throws Error for an index or a brick that is damaged or does not fit the grid.

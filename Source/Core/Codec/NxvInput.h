@@ -4,6 +4,8 @@
 #include "nexrad/Codec/CodedVolume.h"
 #include "nexrad/Codec/NxvHeader.h"
 #include "nexrad/Grid/VoxelBlock.h"
+#include "nexrad/System/Error.h"
+#include "nexrad/System/MessageText.h"
 #include "nexrad/System/RangeLoop.h"
 
 #include <array>
@@ -51,6 +53,20 @@ struct NxvContent
 
 /// Throws Error that names a place in the file; the file's name comes from whoever knows it.
 [[noreturn]] void RefuseNxv(std::uint64_t offset, const std::string& what);
+
+/// Does some work on a file, and names the file in what that throws.
+template <typename Work>
+auto NamingTheFile(const std::filesystem::path& path, const Work& work)
+{
+  try
+  {
+    return work();
+  }
+  catch (const Error& problem)
+  {
+    throw FileError(path, problem.what());
+  }
+}
 
 /// Reads the header, and checks the lengths of all arrays against that of the file.
 NxvContent OpenNxv(NxvInput& file);

@@ -28,19 +28,6 @@ namespace
 
 using Bytes = std::vector<std::uint8_t>;
 
-template <typename Work>
-auto NamingTheFile(const fs::path& path, const Work& work)
-{
-  try
-  {
-    return work();
-  }
-  catch (const Error& problem)
-  {
-    throw FileError(path, problem.what());
-  }
-}
-
 // `bytesBesides`: of each voxel, for its further arrays and for the caller.
 void CheckMemory(const GridSpecification& grid, std::size_t bytesBesides, std::size_t maximumBytes)
 {

@@ -4,7 +4,9 @@
 #include "nexrad/Codec/MomentCode.h"
 #include "nexrad/Codec/NxvBricks.h"
 #include "nexrad/Codec/NxvHeader.h"
+#include "nexrad/Codec/NxvInput.h"
 #include "nexrad/Codec/NxvLevels.h"
+#include "nexrad/Codec/NxvReader.h"
 #include "nexrad/Codec/ThesisStream.h"
 #include "nexrad/Compression/Deflate.h"
 #include "nexrad/Grid/VolumeMoments.h"
@@ -403,45 +405,68 @@ static_assert(NxvBandWriter::Rows % 2 == 0, "a band is whole rows of the next le
 
 struct NxvBandWriter::Impl
 {
-  // The volume, or one of its coarser levels.
+  // The volume, or one of its coarser levels; of a part of its rows.
   struct Level
   {
-    Level(const GridSpecification& theGrid, const VoxelsInOne& theVoxels)
+    Level(const GridSpecification& theGrid, const VoxelBlock& rows, const VoxelsInOne& theVoxels,
+      bool isExact)
       : grid(theGrid)
+      , firstRow(rows.begin[1])
       , voxels(theVoxels)
-      , arrays(theGrid)
+      , exact(isExact)
+      , arrays(PartOf(theGrid, rows))
     {
     }
 
-    GridSpecification grid;
-    VoxelsInOne voxels; // of the volume, in one of its
+    // Rows of the part as a grid.
+    GridSpecification GridOf(VoxelBlock rows) const
+    {
+      rows.begin[1] += firstRow;
+      rows.end[1] += firstRow;
+      return PartOf(grid, rows);
+    }
+
+    GridSpecification grid; // of all rows
+    int firstRow;           // of the part
+    VoxelsInOne voxels;     // of the volume, in one of its
+    bool exact;
     NxvBrickArrays arrays;
     std::optional<GriddedVolume> band; // that is being made of the level before
     int rows = 0;                      // of it that are made
   };
 
+  void Describe(const GriddedVolume& band);
   void Add(std::size_t number, const GriddedVolume& band, const RangeLoop& loop);
   void AddToNext(std::size_t number, const GriddedVolume& band, const RangeLoop& loop);
+  void AddRowsOf(const std::filesystem::path& part);
+  void AddNextOf(const std::filesystem::path& part, const RangeLoop& loop);
 
   std::filesystem::path path;
-  bool exact = false;
   NxvHeader header;
   std::vector<Level> levels; // from fine to coarse
 };
+
+// Takes what bands say of the volume.
+void NxvBandWriter::Impl::Describe(const GriddedVolume& band)
+{
+  const GridSpecification grid = header.volume.grid;
+  header.volume = WithoutVoxels(band);
+  header.volume.grid = grid;
+}
 
 void NxvBandWriter::Impl::Add(std::size_t number, const GriddedVolume& band, const RangeLoop& loop)
 {
   Level& level = levels[number];
   BandContent content(level.arrays);
-  if (band.grid != PartOf(level.grid, level.arrays.BeginBand(loop)))
+  if (band.grid != level.GridOf(level.arrays.BeginBand(loop)))
   {
     throw Error(path.string() + ": bands must have " + std::to_string(Rows) +
                 " rows of the grid each, from the first row on");
   }
-  AddBand(content, band, exact);
+  AddBand(content, band, level.exact);
   for (const GriddedVolume& further : band.further)
   {
-    AddBand(content, further, exact);
+    AddBand(content, further, level.exact);
   }
   level.arrays.EndBand();
   if (number + 1 < levels.size())
@@ -460,7 +485,7 @@ void NxvBandWriter::Impl::AddToNext(
     next.voxels[0] / before[0], next.voxels[1] / before[1], next.voxels[2] / before[2]};
   if (!next.band)
   {
-    next.band = VolumeLike(band, PartOf(next.grid, next.arrays.NextBand()));
+    next.band = VolumeLike(band, next.GridOf(next.arrays.NextBand()));
     next.rows = 0;
   }
   SetCoarser(band, voxels, next.rows, *next.band, loop);
@@ -473,15 +498,82 @@ void NxvBandWriter::Impl::AddToNext(
   }
 }
 
+// Takes the bricks of a part as they are.
+void NxvBandWriter::Impl::AddRowsOf(const std::filesystem::path& part)
+{
+  NxvInput file(part);
+  const NxvContent content = OpenNxv(file);
+  const GridSpecification& grid = content.header.volume.grid;
+  NxvBrickArrays& arrays = levels.front().arrays;
+  const VoxelBlock rows = arrays.NextRows(grid.dimensions[1]);
+  // Not as a whole: the centre of a file's geographic grid is that of its rows.
+  if (rows.Size(1) != grid.dimensions[1] || grid.origin != levels.front().GridOf(rows).origin)
+  {
+    throw Error("its rows do not follow those before");
+  }
+  CheckNxvPayloads(file, content);
+  arrays.AddRows(grid.dimensions[1], content.header.arrays,
+    [&](std::uint64_t offset, std::size_t size)
+    { return file.ReadAll(content.payloads + offset, size); });
+  this->Describe(content.header.volume);
+}
+
+// Makes bands of the next level of what a part has of it.
+void NxvBandWriter::Impl::AddNextOf(const std::filesystem::path& part, const RangeLoop& loop)
+{
+  const Level& next = levels[1];
+  NxvReadOptions options;
+  options.loop = loop;
+  options.level = 1;
+  const int rows = ReadNxvLevels(part).at(1).dimensions[1];
+  for (int row = 0; row < rows; row += Rows)
+  {
+    VoxelBlock block = next.arrays.NextBand();
+    const GridSpecification grid = next.GridOf(block);
+    block.end[1] = row + block.Size(1);
+    block.begin[1] = row;
+    options.block = block;
+    GriddedVolume band = ReadNxv(part, options);
+    band.grid = grid;
+    for (GriddedVolume& further : band.further)
+    {
+      further.grid = grid;
+    }
+    this->Add(1, band, loop);
+  }
+}
+
 NxvBandWriter::NxvBandWriter(
   const std::filesystem::path& path, const GridSpecification& grid, const NxvWriteOptions& options)
-  : impl(new Impl{path, options.encoding == NxvEncoding::Float, {}, {}})
+  : impl(new Impl{path, {}, {}})
 {
+  const bool exact = options.encoding == NxvEncoding::Float;
   impl->header.volume.grid = grid;
-  impl->levels.emplace_back(grid, VoxelsInOne{1, 1, 1});
+  impl->levels.emplace_back(grid, VoxelBlock::Of(grid), VoxelsInOne{1, 1, 1}, exact);
   for (const VoxelsInOne& voxels : CoarserLevels(grid))
   {
-    impl->levels.emplace_back(CoarserGrid(grid, voxels), voxels);
+    const GridSpecification coarser = CoarserGrid(grid, voxels);
+    impl->levels.emplace_back(coarser, VoxelBlock::Of(coarser), voxels, exact);
+  }
+}
+
+// The further levels are made of the next one, which for that must be exact.
+NxvBandWriter::NxvBandWriter(const std::filesystem::path& path, const GridSpecification& grid,
+  const VoxelBlock& rows, const NxvWriteOptions& options)
+  : impl(new Impl{path, {}, {}})
+{
+  impl->header.volume.grid = PartOf(grid, rows);
+  impl->levels.emplace_back(
+    grid, rows, VoxelsInOne{1, 1, 1}, options.encoding == NxvEncoding::Float);
+  const std::vector<VoxelsInOne> levels = CoarserLevels(grid);
+  if (!levels.empty())
+  {
+    const VoxelsInOne& voxels = levels.front();
+    const GridSpecification coarser = CoarserGrid(grid, voxels);
+    VoxelBlock ofRows = VoxelBlock::Of(coarser);
+    ofRows.begin[1] = rows.begin[1] / voxels[1];
+    ofRows.end[1] = (rows.end[1] - 1) / voxels[1] + 1;
+    impl->levels.emplace_back(coarser, ofRows, voxels, true);
   }
 }
 
@@ -490,10 +582,17 @@ NxvBandWriter::~NxvBandWriter() = default;
 void NxvBandWriter::Add(const GriddedVolume& band, const RangeLoop& loop)
 {
   RequireFiniteFill(impl->path, band);
-  const GridSpecification grid = impl->header.volume.grid;
-  impl->header.volume = WithoutVoxels(band);
-  impl->header.volume.grid = grid;
+  impl->Describe(band);
   impl->Add(0, band, loop);
+}
+
+void NxvBandWriter::AddPart(const std::filesystem::path& part, const RangeLoop& loop)
+{
+  NamingTheFile(part, [&] { impl->AddRowsOf(part); });
+  if (impl->levels.size() > 1)
+  {
+    impl->AddNextOf(part, loop);
+  }
 }
 
 void NxvBandWriter::Commit()

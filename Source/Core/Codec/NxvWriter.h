@@ -2,6 +2,7 @@
 #pragma once
 
 #include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/Grid/VoxelBlock.h"
 #include "nexrad/System/RangeLoop.h"
 
 #include <filesystem>
@@ -50,16 +51,25 @@ public:
   /// `grid` is that of the whole volume.
   NxvBandWriter(const std::filesystem::path& path, const GridSpecification& grid,
     const NxvWriteOptions& options = {});
+  /// Of some rows of the grid alone, which one of several processes makes: from a multiple of
+  /// PartRows to another one, or to the last row. The file serves AddPart alone.
+  NxvBandWriter(const std::filesystem::path& path, const GridSpecification& grid,
+    const VoxelBlock& rows, const NxvWriteOptions& options = {});
   ~NxvBandWriter();
   NxvBandWriter(const NxvBandWriter&) = delete;
   NxvBandWriter& operator=(const NxvBandWriter&) = delete;
 
   /// Rows of each band but the last, which has what is left.
   static constexpr int Rows = 64;
+  /// Rows that a band of the next level stands for.
+  static constexpr int PartRows = 2 * Rows;
 
   /// Packs the next band: its grid is that part of the whole. `loop` packs several bricks at a
   /// time. Throws Error as WriteNxv does.
   void Add(const GriddedVolume& band, const RangeLoop& loop = {});
+  /// The same of the bands that the next part holds: the file becomes what Add would make of them,
+  /// byte for byte. Throws Error also for a part that cannot be read or does not follow.
+  void AddPart(const std::filesystem::path& part, const RangeLoop& loop = {});
 
   /// Writes the file, after the last band. Throws Error when it cannot be written.
   void Commit();

@@ -15,12 +15,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <random>
 
 using namespace nexrad;
 using nexrad::testing::ExpectSameVolume;
+using nexrad::testing::FileContent;
 using nexrad::testing::MakeGriddedVolume;
 using nexrad::testing::MessageOf;
+using nexrad::testing::RowsFrom;
 using nexrad::testing::TakePart;
 using nexrad::testing::TemporaryFolder;
 using nexrad::testing::WriteBricks;
@@ -263,4 +266,112 @@ TEST(NxvLevels, OneThatIsMissingIsRefused)
   EXPECT_NE(MessageOf([&] { ReadNxv(path, OfLevel(1)); })
               .find("whole.nxv: the file has no level 1; its levels are 0 to 0"),
     std::string::npos);
+}
+
+namespace
+{
+
+// The rows of a grid from one part to another one.
+VoxelBlock PartsFrom(const GridSpecification& grid, int first, int end)
+{
+  VoxelBlock rows = VoxelBlock::Of(grid);
+  rows.begin[1] = first * NxvBandWriter::PartRows;
+  rows.end[1] = std::min(end * NxvBandWriter::PartRows, grid.dimensions[1]);
+  return rows;
+}
+
+void WritePart(const fs::path& path, const GriddedVolume& volume, const VoxelBlock& rows,
+  const NxvWriteOptions& options = {})
+{
+  NxvBandWriter writer(path, volume.grid, rows, options);
+  for (int row = rows.begin[1]; row < rows.end[1]; row += NxvBandWriter::Rows)
+  {
+    writer.Add(TakePart(volume, RowsFrom(volume.grid, row)));
+  }
+  writer.Commit();
+}
+
+// A volume of several moments, one of them folded in the last rows alone.
+GriddedVolume MakeMoments(const std::array<int, 3>& dimensions)
+{
+  GriddedVolume volume = MakeVolume(MomentName::REF, dimensions);
+  GriddedVolume further = MakeVolume(MomentName::VEL, dimensions);
+  for (std::size_t i = 0; i < further.states.size() - 1; ++i)
+  {
+    further.states[i] =
+      further.states[i] == VoxelState::RangeFolded ? VoxelState::NoEcho : further.states[i];
+  }
+  further.states.back() = VoxelState::RangeFolded;
+  further.values.back() = further.fill;
+  return nexrad::JoinMoments({volume, further});
+}
+
+} // namespace
+
+// Rows that others packed make the same file as bands do: one level, three levels, and none.
+TEST(NxvParts, AreJoinedToTheSameFile)
+{
+  const TemporaryFolder folder;
+  for (const auto& dimensions : {std::array{600, 300, 5}, {40, 2100, 3}, {70, 300, 9}})
+  {
+    GriddedVolume volume = MakeMoments(dimensions);
+    if (dimensions[0] == 600)
+    {
+      volume.grid.axes = GridAxes::Geographic;
+      volume.grid.spacing = {0.01, 0.01, 500.0};
+      volume.grid.origin = {-93.7, 37.2, 0.0};
+      volume.further.front().grid = volume.grid;
+    }
+    const int parts = (dimensions[1] - 1) / NxvBandWriter::PartRows + 1;
+    for (const auto encoding : {NxvEncoding::RadarSteps, NxvEncoding::Float})
+    {
+      const NxvWriteOptions options{encoding};
+      WriteBricks(folder.Path() / "whole.nxv", volume, options);
+      NxvBandWriter writer(folder.Path() / "joined.nxv", volume.grid, options);
+      for (const auto& [first, end] : {std::pair{0, 1}, {1, parts}})
+      {
+        const fs::path part = folder.Path() / "part";
+        WritePart(part, volume, PartsFrom(volume.grid, first, end), options);
+        writer.AddPart(part);
+      }
+      writer.Commit();
+      EXPECT_TRUE(
+        FileContent(folder.Path() / "joined.nxv") == FileContent(folder.Path() / "whole.nxv"))
+        << dimensions[0] << " columns";
+    }
+  }
+}
+
+TEST(NxvParts, ThatDoNotFollowAreRefused)
+{
+  const TemporaryFolder folder;
+  const GriddedVolume volume = MakeVolume(MomentName::REF, {600, 300, 5});
+  const fs::path first = folder.Path() / "first";
+  const fs::path second = folder.Path() / "second";
+  WritePart(first, volume, PartsFrom(volume.grid, 0, 1));
+  WritePart(second, volume, PartsFrom(volume.grid, 1, 3));
+  const auto join = [&](const std::vector<fs::path>& parts)
+  {
+    return MessageOf(
+      [&]
+      {
+        NxvBandWriter writer(folder.Path() / "joined.nxv", volume.grid);
+        for (const fs::path& part : parts)
+        {
+          writer.AddPart(part);
+        }
+        writer.Commit();
+      });
+  };
+  EXPECT_EQ(join({first, second}), "");
+  fs::remove(folder.Path() / "joined.nxv");
+  EXPECT_NE(join({second}).find("second: its rows do not follow"), std::string::npos);
+  EXPECT_NE(join({first, first}).find("first: its rows do not follow"), std::string::npos);
+  EXPECT_NE(
+    join({first, second, second}).find("second: its rows do not follow"), std::string::npos);
+  std::string bytes = FileContent(second);
+  bytes[bytes.size() - 20] = static_cast<char>(bytes[bytes.size() - 20] ^ 1);
+  std::ofstream(second, std::ios::binary) << bytes;
+  EXPECT_NE(join({first, second}).find("second: "), std::string::npos);
+  EXPECT_FALSE(fs::exists(folder.Path() / "joined.nxv"));
 }
