@@ -95,7 +95,19 @@ std::size_t VolumeSummary::MemoryBytes() const
 
 VolumeSummary MakeSummary(const BeamVolume& volume)
 {
-  return {0.0, Pack(volume.composite), Pack(volume.lowest)};
+  VolumeSummary summary;
+  if (volume.moment == MomentName::REF)
+  {
+    summary.composite = Pack(volume.composite);
+    summary.lowest = Pack(volume.lowest);
+  }
+  summary.echo = volume.echo;
+  summary.endsAt = volume.endsAt;
+  for (const BeamSweep& sweep : volume.sweeps)
+  {
+    summary.reach = std::max(summary.reach, static_cast<double>(sweep.Reach()));
+  }
+  return summary;
 }
 
 VolumeSummary MakeSummary(const PolarVolume& volume)
@@ -105,6 +117,8 @@ VolumeSummary MakeSummary(const PolarVolume& volume)
   {
     summary = MakeSummary(PrepareBeamVolume(volume));
   }
+  summary.echo = volume.echo;
+  summary.endsAt = volume.endsAt;
   for (const PolarSweep& sweep : volume.sweeps)
   {
     summary.reach = std::max(

@@ -5,6 +5,7 @@
 #include "nexrad/Polar/PolarVolume.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace nexrad
@@ -22,13 +23,16 @@ struct PackedComposite
   std::vector<float> picture;
 };
 
-/// What must be known of a volume where its rays are not needed: how far it sees, and for
-/// reflectivity the pictures in which motion is looked for. Some ten thousand bytes.
+/// What must be known of a volume where its rays are not needed: how far it sees, what a merged
+/// volume says of it, and for reflectivity the pictures in which motion is looked for. Some ten
+/// thousand bytes.
 struct VolumeSummary
 {
   double reach = 0.0;        ///< m, slant range of the outer edge of the farthest gate of any sweep
   PackedComposite composite; ///< that of BeamVolume
   PackedComposite lowest;    ///< that of BeamVolume
+  EchoGates echo;            ///< that of BeamVolume
+  std::optional<double> endsAt = std::nullopt; ///< PolarVolume::endsAt
 
   std::size_t MemoryBytes() const;
 };
@@ -36,7 +40,7 @@ struct VolumeSummary
 /// The summary of a volume; without pictures for other moments than REF.
 VolumeSummary MakeSummary(const PolarVolume& volume);
 
-/// What a summary keeps of the composites of a volume; the reach is 0.
+/// The same of a volume made ready, whose sweeps tell how far it sees.
 VolumeSummary MakeSummary(const BeamVolume& volume);
 
 /// The composite again: which cells were scanned, their values exactly, and the echo. Throws Error

@@ -132,7 +132,13 @@ bool SeriesMerger::Begin(const Progress& progress)
     return true;
   }
   bool opened = false;
-  setup.processes.Together([&] { opened = !setup.scanFirst && this->OpenByHeaders(); });
+  setup.processes.Together([&] { opened = !setup.scanFirst && this->BeginByHeaders(); });
+  if (setup.sharesBlocks && setup.processes.InAll(opened) &&
+      !this->KnowTogether(this->EndFiles(), progress))
+  {
+    return false;
+  }
+  setup.processes.Together([&] { opened = opened && this->OpenByHeaders(); });
   return setup.processes.InAll(opened) || this->Scan(progress);
 }
 
@@ -160,11 +166,8 @@ void SeriesMerger::FindFiles()
   {
     names += '\n' + path.filename().string();
   }
-  const std::vector<std::string> all = setup.processes.Exchange(names);
-  if (std::any_of(all.begin(), all.end(), [&](const std::string& other) { return other != names; }))
-  {
-    throw Error("the processes do not find the same input files; all need the same folders");
-  }
+  setup.processes.RequireSame(
+    names, "the processes do not find the same input files; all need the same folders");
 }
 
 void SeriesMerger::RequireMemoryOfGrid() const
@@ -194,6 +197,7 @@ void SeriesMerger::BeginStore()
   work.prepare = [this](const std::shared_ptr<const PolarVolume>& volume)
   { return MakeReady(volume, *std::atomic_load(&planned)); };
   work.rule = VolumeRuleOf(request);
+  work.summaries = setup.anyOrder || setup.sharesBlocks;
   follower = nullptr;
   store->Begin(std::move(work), this->KnownScan());
 }
@@ -206,18 +210,33 @@ void SeriesMerger::PlanRequest(bool hasGrid)
   std::atomic_store(&planned, std::shared_ptr<const MergeRequest>(std::move(next)));
 }
 
+bool SeriesMerger::NeedsLastRay() const
+{
+  return setup.anyOrder || !options.end || options.time;
+}
+
+// The files that FindEnds looks at first.
+std::vector<std::size_t> SeriesMerger::EndFiles() const
+{
+  std::set<std::size_t> ends;
+  for (const SiteFileList& site : *headers)
+  {
+    ends.insert(site.files.front().index);
+    if (this->NeedsLastRay())
+    {
+      ends.insert(site.files.back().index);
+    }
+  }
+  return {ends.begin(), ends.end()};
+}
+
 // Decodes the first file of each site, and the last, for the first and the last ray. Empty when a
 // site has none that can be used.
 std::optional<TimeSpan> SeriesMerger::FindEnds()
 {
-  const bool needsLast = setup.anyOrder || !options.end || options.time;
-  for (const SiteFileList& site : *headers)
+  for (const std::size_t index : this->EndFiles())
   {
-    store->Expect(site.files.front().index);
-    if (needsLast)
-    {
-      store->Expect(site.files.back().index);
-    }
+    store->Expect(index);
   }
   TimeSpan ends = {Time::max(), Time::min()};
   for (const auto& [name, files] : *headers)
@@ -235,7 +254,7 @@ std::optional<TimeSpan> SeriesMerger::FindEnds()
       ends.first = std::min(ends.first, volume.start);
     }
     for (const auto& [site, volume] :
-      FindVolumes(needsLast ? files.rbegin() : files.rend(), files.rend(), *store))
+      FindVolumes(this->NeedsLastRay() ? files.rbegin() : files.rend(), files.rend(), *store))
     {
       ends.last = std::max(ends.last, volume.end);
     }
@@ -243,9 +262,8 @@ std::optional<TimeSpan> SeriesMerger::FindEnds()
   return ends;
 }
 
-// False when the rays of these files say otherwise than the headers; then all files must be
-// scanned.
-bool SeriesMerger::OpenByHeaders()
+// False when headers do not tell enough; then all files must be scanned.
+bool SeriesMerger::BeginByHeaders()
 {
   if (!headers || FindPause(options, HeaderTimes(*headers)))
   {
@@ -258,6 +276,12 @@ bool SeriesMerger::OpenByHeaders()
   request = MergeRequestOf(options, setup.loop);
   this->PlanRequest(false);
   this->BeginStore();
+  return true;
+}
+
+// False when the rays of the first and the last files say otherwise than the headers.
+bool SeriesMerger::OpenByHeaders()
+{
   const std::optional<TimeSpan> ends = this->FindEnds();
   if (!ends || options.begin.value_or(ends->first) > options.end.value_or(ends->last) ||
       (options.time && (*options.time < ends->first || *options.time > ends->last)))
@@ -291,7 +315,7 @@ bool SeriesMerger::ScanFiles(const Progress& progress)
   store->KeepUpTo(memoryForRays);
   SeriesOptions series = this->ScanOptions();
   series.threads = setup.threads;
-  series.summaries = setup.scanFirst;
+  series.summaries = setup.scanFirst || setup.sharesBlocks;
   const auto keep = [this](const SeriesVolume& key, const RadarVolume&,
                       const std::shared_ptr<const PolarVolume>& volume)
   { store->Offer(key, volume); };
@@ -394,26 +418,23 @@ void SeriesMerger::EndAt(Time time)
   store->EndAt(time);
 }
 
-// Of all volumes, those that a time takes.
-std::vector<ChosenVolume> SeriesMerger::ChosenAt(Time time) const
-{
-  return scan->ChosenAt(time, VolumeRuleOf(request), options.Moments());
-}
-
 // Of radars whose summaries tell how far they see, those that see the block, in the order of the
-// scan; empty: all.
-std::vector<bool> SeriesMerger::FindReaching()
+// catalogue; empty: all.
+std::vector<bool> SeriesMerger::FindReaching(
+  const Catalogue& catalogue, const std::vector<ChosenVolume>& chosen)
 {
-  if (!scan || !setup.scanFirst || !request.block)
+  const bool tells = std::all_of(chosen.begin(), chosen.end(),
+    [](const ChosenVolume& each) { return each.volume->summary != nullptr; });
+  if (!tells)
   {
     return {};
   }
   std::vector<SiteReach> reaches;
-  for (const SiteSeries& series : scan->sites)
+  for (const SiteSeries& series : catalogue.sites)
   {
-    reaches.push_back({*series.site.position, 0.0});
+    reaches.push_back({series.site.position.value_or(Position()), 0.0});
   }
-  for (const auto& [moment, site, volume] : this->ChosenAt(request.time))
+  for (const auto& [moment, site, volume] : chosen)
   {
     reaches[site].reach = std::max(reaches[site].reach, volume->summary->reach);
   }
@@ -429,31 +450,47 @@ std::vector<bool> SeriesMerger::FindReaching()
   return reaching;
 }
 
-// The volumes of the other radars.
+// Adds a volume of a radar that does not reach the block.
 void SeriesMerger::AddSweepless(
-  const std::vector<bool>& reaching, std::vector<ReadyVolume>& volumes)
+  const Catalogue& catalogue, const ChosenVolume& chosen, std::vector<ReadyVolume>& volumes)
 {
-  if (reaching.empty())
+  const auto& [moment, site, volume] = chosen;
+  const Site& radar = catalogue.sites[site].site;
+  if (request.method == MergeMethod::Thesis) // of which it only names the radar
   {
+    volumes.push_back({std::make_shared<const PolarVolume>(PolarVolume{
+                         radar, moment, volume->start, volume->end, volume->synthetic, {}, {}}),
+      nullptr});
     return;
   }
-  for (const auto& [moment, site, volume] : this->ChosenAt(request.time))
+  volumes.push_back(
+    {nullptr, store->WithoutSweeps(radar, *volume, moment, LooksForMotion(request, moment))});
+}
+
+// What a merge of a block at a time takes, for which the request is made; empty when `progress`
+// asked to stop.
+std::optional<std::vector<ReadyVolume>> SeriesMerger::VolumesOf(
+  Time time, const std::optional<VoxelBlock>& block, const Progress& progress)
+{
+  request.time = time;
+  request.block = block;
+  if (!block || !(setup.scanFirst || setup.sharesBlocks))
   {
-    if (reaching[site])
-    {
-      continue;
-    }
-    const Site& radar = scan->sites[site].site;
-    if (request.method == MergeMethod::Thesis) // of which it only names the radar
-    {
-      volumes.push_back({std::make_shared<const PolarVolume>(PolarVolume{
-                           radar, moment, volume->start, volume->end, volume->synthetic, {}, {}}),
-        nullptr});
-      continue;
-    }
-    volumes.push_back(
-      {nullptr, store->WithoutSweeps(radar, *volume, moment, LooksForMotion(request, moment))});
+    return this->VolumesAbout(time, {}, progress);
   }
+  const Catalogue catalogue = store->Listed();
+  const std::vector<ChosenVolume> chosen =
+    catalogue.ChosenAt(time, VolumeRuleOf(request), options.Moments());
+  const std::vector<bool> reaching = this->FindReaching(catalogue, chosen);
+  std::optional<std::vector<ReadyVolume>> volumes = this->VolumesAbout(time, reaching, progress);
+  for (const ChosenVolume& each : chosen)
+  {
+    if (volumes && !reaching.empty() && !reaching[each.site])
+    {
+      this->AddSweepless(catalogue, each, *volumes);
+    }
+  }
+  return volumes;
 }
 
 // Empty when `progress` asked to stop.
@@ -478,23 +515,17 @@ std::optional<std::vector<ReadyVolume>> SeriesMerger::VolumesAbout(
 std::optional<GriddedVolume> SeriesMerger::Merge(
   Time time, const Progress& progress, const std::optional<VoxelBlock>& block, GriddedVolume memory)
 {
-  request.time = time;
-  request.block = block;
-  const std::vector<bool> reaching = this->FindReaching();
-  std::optional<std::vector<ReadyVolume>> volumes = this->VolumesAbout(time, reaching, progress);
-  if (!volumes)
-  {
-    return std::nullopt;
-  }
-  this->AddSweepless(reaching, *volumes);
-  return MergeMoments(*volumes, options.Moments(), request, progress, run, std::move(memory));
+  const auto volumes = this->VolumesOf(time, block, progress);
+  return volumes
+           ? MergeMoments(*volumes, options.Moments(), request, progress, run, std::move(memory))
+           : std::nullopt;
 }
 
-bool SeriesMerger::MergeInBands(Time time, int rows, const TakeBand& take, const Progress& progress)
+bool SeriesMerger::MergeInBands(Time time, int rows, const TakeBand& take, const Progress& progress,
+  const std::optional<VoxelBlock>& block)
 {
-  request.time = time;
   constexpr double decoding = 0.5; // of the work
-  const auto volumes = this->VolumesAbout(time, {}, ShareOf(progress, 0.0, decoding));
+  const auto volumes = this->VolumesOf(time, block, ShareOf(progress, 0.0, decoding));
   return volumes && MergeBands(*volumes, options.Moments(), request, rows, take,
                       ShareOf(progress, decoding, 1.0), run);
 }
@@ -536,6 +567,54 @@ bool SeriesMerger::MergeEachRadar(
 bool SeriesMerger::Know(Time time, const Progress& progress)
 {
   return store->Know(time, progress);
+}
+
+// Each process decodes files of neighbouring sites, which it likely needs for its block.
+bool SeriesMerger::KnowTogether(const std::vector<std::size_t>& indices, const Progress& progress)
+{
+  std::vector<std::filesystem::path> paths;
+  for (const std::size_t index : indices)
+  {
+    paths.push_back(found.paths[index]);
+  }
+  const auto find =
+    [&](const std::vector<std::size_t>& places) -> std::optional<std::vector<ScannedFile>>
+  {
+    for (const std::size_t place : places)
+    {
+      store->Expect(indices[place]);
+    }
+    std::vector<ScannedFile> own;
+    for (const std::size_t place : places)
+    {
+      own.push_back(store->Scan(indices[place]));
+      if (progress &&
+          !progress(static_cast<double>(own.size()) / static_cast<double>(places.size())))
+      {
+        return std::nullopt;
+      }
+    }
+    return own;
+  };
+  const auto files = FindTogether(paths, setup.processes, setup.order, find);
+  for (std::size_t i = 0; files && i < indices.size(); ++i)
+  {
+    store->Learn(indices[i], (*files)[i]);
+  }
+  return files.has_value();
+}
+
+bool SeriesMerger::KnowTogether(Time time, const Progress& progress)
+{
+  for (auto unknown = store->UnknownAbout(time); !unknown.empty();
+       unknown = store->UnknownAbout(time))
+  {
+    if (!this->KnowTogether(unknown, progress))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 std::string SeriesMerger::MadeOf(Time time) const
@@ -676,7 +755,15 @@ std::vector<ScannedFile> SeriesMerger::Gather() const
   std::vector<ScannedFile> all = store->Known();
   if (setup.processes.Count() > 1)
   {
-    for (const std::string& message : setup.processes.Exchange(PackScannedFiles(all)))
+    std::vector<ScannedFile> told = all; // summaries are long, and known where they are needed
+    for (ScannedFile& file : told)
+    {
+      for (auto& [site, volume] : file.volumes)
+      {
+        volume.summary = nullptr;
+      }
+    }
+    for (const std::string& message : setup.processes.Exchange(PackScannedFiles(told)))
     {
       std::vector<ScannedFile> part = UnpackScannedFiles(message);
       for (std::size_t i = 0; i < part.size(); ++i)

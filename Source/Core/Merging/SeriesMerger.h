@@ -44,7 +44,10 @@ struct MergerSetup
   /// and nothing is exchanged later. Then a block is merged from the radars that see it: the others
   /// take part in the search for motion without being decoded.
   bool scanFirst = false;
-  ScanOrder order = ScanOrder::ByTime; ///< of the parts of processes that scan first
+  /// Each process merges blocks of its own, of times that ascend: KnowTogether finds out what the
+  /// files about a time hold, and a block is merged as where all files are scanned first.
+  bool sharesBlocks = false;
+  ScanOrder order = ScanOrder::ByTime; ///< of the files that processes decode for each other
   VolumeUse use; ///< of the merged volumes, which counts for MergeOptions::memoryLimit
 };
 
@@ -116,9 +119,10 @@ public:
   std::optional<GriddedVolume> Merge(Time time, const Progress& progress = {},
     const std::optional<VoxelBlock>& block = {}, GriddedVolume memory = {});
 
-  /// The same as Merge gives, in bands of rows of the grid (MergeBands). False when `progress`
-  /// asked to stop. Throws Error as Merge does.
-  bool MergeInBands(Time time, int rows, const TakeBand& take, const Progress& progress = {});
+  /// The same as Merge gives, in bands of rows (MergeBands). False when `progress` asked to stop.
+  /// Throws Error as Merge does.
+  bool MergeInBands(Time time, int rows, const TakeBand& take, const Progress& progress = {},
+    const std::optional<VoxelBlock>& block = {});
 
   /// The volume of each radar alone at a time, in the order of Sites, given to `take`: what a merge
   /// of its files alone makes on this grid. A radar without any in reach has a volume in which no
@@ -130,6 +134,9 @@ public:
   /// Finds out what the files about a time hold. Files are decoded only where nobody knows it yet
   /// (see LearnFiles). False when `progress` asked to stop.
   bool Know(Time time, const Progress& progress = {});
+  /// The same in all processes, each of which decodes a part of the files and tells the others. All
+  /// of them call it.
+  bool KnowTogether(Time time, const Progress& progress = {});
   /// All that decides what Merge makes of the files at a time, beside the options, as text: grid,
   /// biases and volumes, by what is known of the files.
   std::string MadeOf(Time time) const;
@@ -166,8 +173,12 @@ private:
   bool Begin(const Progress& progress);
   void FindFiles();
   void RequireMemoryOfGrid() const;
+  bool BeginByHeaders();
   bool OpenByHeaders();
+  std::vector<std::size_t> EndFiles() const;
   std::optional<TimeSpan> FindEnds();
+  bool NeedsLastRay() const;
+  bool KnowTogether(const std::vector<std::size_t>& indices, const Progress& progress);
   bool HasSeveralRadars() const;
   SeriesOptions ScanOptions() const;
   void FindBiases();
@@ -178,9 +189,12 @@ private:
   void PlanRequest(bool hasGrid);
   SeriesScan KnownScan() const;
   std::vector<ScannedFile> Gather() const;
-  std::vector<ChosenVolume> ChosenAt(Time time) const;
-  std::vector<bool> FindReaching();
-  void AddSweepless(const std::vector<bool>& reaching, std::vector<ReadyVolume>& volumes);
+  std::vector<bool> FindReaching(
+    const Catalogue& catalogue, const std::vector<ChosenVolume>& chosen);
+  void AddSweepless(
+    const Catalogue& catalogue, const ChosenVolume& chosen, std::vector<ReadyVolume>& volumes);
+  std::optional<std::vector<ReadyVolume>> VolumesOf(
+    Time time, const std::optional<VoxelBlock>& block, const Progress& progress);
   std::optional<std::vector<ReadyVolume>> VolumesAbout(
     Time time, const std::vector<bool>& reaching, const Progress& progress);
   std::optional<BeamVolumes> EchoAbout(Time time, const Progress& progress);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <iterator>
+#include <set>
 
 namespace nexrad
 {
@@ -15,11 +16,6 @@ namespace
 
 // A header's time is within seconds of the first ray's in the files of the archive.
 constexpr Duration largestHeaderError = std::chrono::minutes(10);
-
-bool IsEarlier(const TimedFile& a, const TimedFile& b)
-{
-  return a.time < b.time;
-}
 
 // A time was promised what a file held before.
 void RequireSame(
@@ -34,6 +30,39 @@ void RequireSame(
       throw Error(path.string() + ": the file changed since it was first read; read it again");
     }
   }
+}
+
+// The summaries that were made when a file was decoded before.
+void TakeSummaries(const ScannedFile& before, ScannedFile& now)
+{
+  for (auto& [site, volume] : now.volumes)
+  {
+    for (const auto& [ofSite, known] : before.volumes)
+    {
+      volume.summary = known.cycle == volume.cycle ? known.summary : volume.summary;
+    }
+  }
+}
+
+// nullptr where no moment is merged by Beam. Reflectivity alone has pictures.
+std::shared_ptr<const VolumeSummary> SummaryOf(const std::vector<ReadyVolume>& moments)
+{
+  std::shared_ptr<VolumeSummary> summary;
+  double reach = 0.0;
+  for (const ReadyVolume& each : moments)
+  {
+    if (each.beam)
+    {
+      VolumeSummary own = MakeSummary(*each.beam);
+      reach = std::max(reach, own.reach);
+      if (!summary || each.Moment() == MomentName::REF)
+      {
+        summary = std::make_shared<VolumeSummary>(std::move(own));
+      }
+      summary->reach = reach;
+    }
+  }
+  return summary;
 }
 
 } // namespace
@@ -233,8 +262,7 @@ bool Store::HoldsMoments(File& file) const
 }
 
 // Called without the lock, with a copy of the file. Makes its moments ready; where not all of them
-// are held, decodes it. Where times come in any order, reflectivity gets its summary, which is all
-// that a search for motion needs.
+// are held, decodes it.
 void Store::Load(std::size_t index, File& file, bool keeps)
 {
   const bool isThere = this->HoldsMoments(file);
@@ -268,16 +296,14 @@ void Store::Load(std::size_t index, File& file, bool keeps)
       [&hold](const SeriesVolume& volume, const RadarVolume&,
         const std::shared_ptr<const PolarVolume>& moment) { hold(volume.cycle, moment); });
     RequireSame(file.scanned, found, paths[index]);
+    TakeSummaries(file.scanned, found);
     file.scanned = std::move(found);
   }
   for (auto& [site, volume] : file.scanned.volumes)
   {
-    for (const ReadyVolume& ready : file.Find(volume.cycle)->ready)
+    if (work.summaries && !volume.summary)
     {
-      if (keeps && !volume.summary && ready.beam && ready.beam->moment == MomentName::REF)
-      {
-        volume.summary = std::make_shared<const VolumeSummary>(MakeSummary(*ready.beam));
-      }
+      volume.summary = SummaryOf(file.Find(volume.cycle)->ready);
     }
   }
 }
@@ -453,8 +479,11 @@ void Store::Offer(const SeriesVolume& volume, const std::shared_ptr<const PolarV
 void Store::Expect(std::size_t index)
 {
   const std::lock_guard<std::mutex> lock(mutex);
-  this->Want(index);
-  changed.notify_all();
+  if (IsUnknown(files[index].scanned))
+  {
+    this->Want(index);
+    changed.notify_all();
+  }
 }
 
 ScannedFile Store::Scan(std::size_t index)
@@ -473,10 +502,10 @@ ScannedFile Store::Scan(std::size_t index)
   return files[index].scanned;
 }
 
-// Called with the lock. Asks for the files that a time may take, as far as headers tell, and of
-// which nobody knows what they hold; once that is known, others may be asked for. Copies, and what
-// stands between, come along. True when nothing had to be asked for.
-bool Store::KnowsAbout(std::size_t site, MomentName moment, Time time)
+// Called with the lock. The files that a time may take, as far as headers tell, and of which nobody
+// knows what they hold; once that is known, there may be others. Copies, and what stands between,
+// come along.
+std::vector<std::size_t> Store::UnknownAbout(std::size_t site, MomentName moment, Time time) const
 {
   Time first = Time::max();
   Time last = Time::min();
@@ -490,20 +519,41 @@ bool Store::KnowsAbout(std::size_t site, MomentName moment, Time time)
       last = std::max(last, files[volume->input].time);
     }
   }
-  bool known = true;
+  std::vector<std::size_t> unknown;
   auto file = std::lower_bound(order.begin(), order.end(), TimedFile{0, first}, IsEarlier);
   for (; file != order.end() && file->time <= last; ++file)
   {
     if (files[file->index].site == site && IsUnknown(files[file->index].scanned))
     {
-      this->Want(file->index);
-      known = false;
+      unknown.push_back(file->index);
     }
   }
-  return known;
+  return unknown;
 }
 
-// Called with the lock. The same of all sites and moments.
+std::vector<std::size_t> Store::UnknownAbout(Time time) const
+{
+  const std::lock_guard<std::mutex> lock(mutex);
+  std::set<std::size_t> unknown;
+  for (const MomentName moment : moments)
+  {
+    for (std::size_t site = 0; site < catalogue.sites.size(); ++site)
+    {
+      const std::vector<std::size_t> own = this->UnknownAbout(site, moment, time);
+      unknown.insert(own.begin(), own.end());
+    }
+  }
+  return {unknown.begin(), unknown.end()};
+}
+
+Catalogue Store::Listed() const
+{
+  const std::lock_guard<std::mutex> lock(mutex);
+  return catalogue;
+}
+
+// Called with the lock. True when it is known what the files about a time hold; else asks for those
+// of which it is not.
 bool Store::KnowsAbout(Time time)
 {
   bool known = true;
@@ -511,7 +561,13 @@ bool Store::KnowsAbout(Time time)
   {
     for (std::size_t site = 0; site < catalogue.sites.size(); ++site)
     {
-      known = (!this->IsWanted(site) || this->KnowsAbout(site, moment, time)) && known;
+      const bool isWanted = this->IsWanted(site);
+      for (const std::size_t index :
+        isWanted ? this->UnknownAbout(site, moment, time) : std::vector<std::size_t>())
+      {
+        this->Want(index);
+        known = false;
+      }
     }
   }
   return known;
@@ -618,6 +674,8 @@ std::shared_ptr<const BeamVolume> Store::WithoutSweeps(
     without.start = volume.start;
     without.end = volume.end;
     without.synthetic = volume.synthetic;
+    without.echo = moment == MomentName::REF ? volume.summary->echo : EchoGates();
+    without.endsAt = volume.summary->endsAt;
     if (pictured)
     {
       without.composite = CompositeOf(volume.summary->composite);

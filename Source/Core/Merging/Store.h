@@ -35,7 +35,8 @@ struct StoreWork
   SeriesOptions options; ///< of a scan of the files, with a moment
   /// Makes a moment of a volume ready. Called from several threads at once.
   std::function<ReadyVolume(const std::shared_ptr<const PolarVolume>&)> prepare;
-  VolumeRule rule; ///< by which the volumes of a time are chosen
+  VolumeRule rule;        ///< by which the volumes of a time are chosen
+  bool summaries = false; ///< make the summaries of the volumes that Beam merges
 };
 
 /// The volumes of a list of files: what each file holds, as far as that is known, and the volumes
@@ -71,7 +72,8 @@ public:
   /// are not decoded ahead.
   void EndAt(Time time);
 
-  /// Begins to decode a file, by its index in the paths, for which Scan will ask.
+  /// Begins to decode a file, by its index in the paths, for which Scan will ask; but not one of
+  /// which it is known what it holds.
   void Expect(std::size_t index);
 
   /// What a file holds, by its index in the paths. Its volumes are held for the first time that may
@@ -96,6 +98,11 @@ public:
   /// motion knows it again.
   std::shared_ptr<const BeamVolume> WithoutSweeps(
     const Site& site, const SeriesVolume& volume, MomentName moment, bool pictured);
+
+  /// The files about a time of which nobody knows what they hold, by their index in the paths.
+  std::vector<std::size_t> UnknownAbout(Time time) const;
+  /// What is known of the volumes by now.
+  Catalogue Listed() const;
 
   /// Finds out what the files about a time hold; of those that are known already none is decoded.
   /// False when `progress` asked to stop.
@@ -166,7 +173,7 @@ private:
   void LearnFile(std::size_t index);
   void Want(std::size_t index);
   bool IsWanted(std::size_t site) const;
-  bool KnowsAbout(std::size_t site, MomentName moment, Time time);
+  std::vector<std::size_t> UnknownAbout(std::size_t site, MomentName moment, Time time) const;
   bool KnowsAbout(Time time);
   std::vector<ChosenVolume> ChosenAt(Time time) const;
   std::optional<std::vector<ChosenVolume>> Demand(Time time);

@@ -248,20 +248,21 @@ bool MergeBands(const std::vector<ReadyVolume>& volumes, const std::vector<Momen
   MergeRequest request, int rows, const TakeBand& take, const Progress& progress, MergeRun& run)
 {
   std::vector<PlannedMoment> planned = PlanMoments(volumes, moments, request, run);
-  const int height = request.grid.dimensions[1];
+  const VoxelBlock all = request.block.value_or(VoxelBlock::Of(request.grid));
   GriddedVolume memory;
-  for (int row = 0; row < height; row += rows)
+  for (int row = all.begin[1]; row < all.end[1]; row += rows)
   {
-    VoxelBlock band = VoxelBlock::Of(request.grid);
+    VoxelBlock band = all;
     band.begin[1] = row;
-    band.end[1] = std::min(row + rows, height);
+    band.end[1] = std::min(row + rows, all.end[1]);
     request.block = band;
     BeamMerger& merger = run.MergerFor(request);
     std::optional<GriddedVolume> merged = MergeEachMoment(moments, std::move(memory),
       [&](std::size_t i, GriddedVolume own)
       { return merger.Merge(planned[i].plan, request.loop, {}, std::move(own)); });
     memory = take(std::move(merged.value()));
-    if (progress && !progress(static_cast<double>(band.end[1]) / height))
+    const int made = band.end[1] - all.begin[1];
+    if (progress && !progress(static_cast<double>(made) / all.Size(1)))
     {
       return false;
     }

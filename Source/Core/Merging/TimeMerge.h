@@ -87,8 +87,9 @@ std::optional<GriddedVolume> MergeMoments(const std::vector<ReadyVolume>& volume
 /// those of the next rows.
 using TakeBand = std::function<GriddedVolume(GriddedVolume band)>;
 
-/// The same by the method beam in bands of `rows` rows of the grid, from the first row to the last,
-/// so that nobody needs to hold the whole volume. False when `progress` asked to stop.
+/// The same by the method beam in bands of `rows` rows of the request's block, or of the grid, from
+/// the first row to the last, so that nobody needs to hold the whole volume. False when `progress`
+/// asked to stop.
 bool MergeBands(const std::vector<ReadyVolume>& volumes, const std::vector<MomentName>& moments,
   MergeRequest request, int rows, const TakeBand& take, const Progress& progress, MergeRun& run);
 

@@ -65,6 +65,12 @@ struct TimedFile
   Time time{};           ///< in the header; near the first ray's, as a rule
 };
 
+/// The order of their times.
+inline bool IsEarlier(const TimedFile& a, const TimedFile& b)
+{
+  return a.time < b.time;
+}
+
 /// The files of one radar by what their headers say.
 struct SiteFileList
 {

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <numeric>
 #include <tuple>
 
@@ -120,7 +121,8 @@ void from_json(const Json& packed, LowEcho& echo)
   echo = LowEcho::Unpack(std::string(bytes.begin(), bytes.end()));
 }
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VolumeSummary, reach, composite, lowest)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EchoGates, all, biological)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VolumeSummary, reach, composite, lowest, echo, endsAt)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Position, latitude, longitude, altitude)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Site, name, position)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SeriesVolume, file, origin, cycle, start, end, begun, left, rays,
@@ -162,38 +164,59 @@ std::vector<std::size_t> OrderByHeaders(
 
 } // namespace
 
-std::optional<std::vector<ScannedFile>> ScanTogether(
+std::optional<std::vector<ScannedFile>> FindTogether(
   const std::vector<std::filesystem::path>& paths, const Processes& processes, ScanOrder scanOrder,
-  const SeriesOptions& options, const VolumeVisitor& visitor, const Progress& progress)
+  const FileFinder& find)
 {
+  std::string names;
+  for (const std::filesystem::path& path : paths)
+  {
+    names += path.filename().string() + '\n';
+  }
+  processes.RequireSame(names, "the processes need different files; all need the same options");
   std::vector<std::size_t> order;
   std::optional<std::vector<ScannedFile>> own;
-  const auto scanOwn = [&]
+  const auto findOwn = [&]
   {
     order = OrderByHeaders(paths, scanOrder);
-    std::vector<std::filesystem::path> part;
     const auto [begin, end] = processes.Part(paths.size());
-    for (std::size_t place = begin; place < end; ++place)
-    {
-      part.push_back(paths[order[place]]);
-    }
-    own = ScanEach(part, options, visitor, progress);
+    const auto first = order.begin();
+    own =
+      find({first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(end)});
   };
-  processes.Together(scanOwn);
+  processes.Together(findOwn);
   if (!processes.InAll(own.has_value()))
   {
     return std::nullopt;
   }
-  std::vector<ScannedFile> files(paths.size());
-  std::size_t place = 0;
+  std::vector<ScannedFile> all;
   for (const std::string& message : processes.Exchange(PackScannedFiles(*own)))
   {
-    for (ScannedFile& file : UnpackScannedFiles(message))
-    {
-      files.at(order.at(place++)) = std::move(file);
-    }
+    std::vector<ScannedFile> part = UnpackScannedFiles(message);
+    std::move(part.begin(), part.end(), std::back_inserter(all));
+  }
+  std::vector<ScannedFile> files(paths.size());
+  for (std::size_t place = 0; place < paths.size(); ++place)
+  {
+    files.at(order[place]) = std::move(all.at(place));
   }
   return files;
+}
+
+std::optional<std::vector<ScannedFile>> ScanTogether(
+  const std::vector<std::filesystem::path>& paths, const Processes& processes, ScanOrder order,
+  const SeriesOptions& options, const VolumeVisitor& visitor, const Progress& progress)
+{
+  const auto scan = [&](const std::vector<std::size_t>& places)
+  {
+    std::vector<std::filesystem::path> part;
+    for (const std::size_t place : places)
+    {
+      part.push_back(paths[place]);
+    }
+    return ScanEach(part, options, visitor, progress);
+  };
+  return FindTogether(paths, processes, order, scan);
 }
 
 std::string PackScannedFiles(const std::vector<ScannedFile>& files)

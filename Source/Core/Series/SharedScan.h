@@ -21,10 +21,21 @@ enum class ScanOrder
   ByLatitude   ///< neighbouring sites from south to north, and their times
 };
 
-/// ScanEach by several processes, which all call it with the same files. Each scans a part of
-/// neighbouring times or sites by what the files' headers say, so that it finds most volumes of its
-/// part of the day, or of the country, among those that it visited. All get the same result: empty
-/// when one of them was asked to stop. Throws Error everywhere when one of them fails.
+/// What a process finds in some of the files, by their places in a list; empty when it was asked to
+/// stop.
+using FileFinder =
+  std::function<std::optional<std::vector<ScannedFile>>(const std::vector<std::size_t>& places)>;
+
+/// What files hold, found by several processes, which all call it with the same files. Each finds
+/// it of a part of neighbouring times or sites by what the files' headers say. All get the same
+/// result: empty when one of them was asked to stop. Throws Error everywhere when one of them
+/// fails.
+std::optional<std::vector<ScannedFile>> FindTogether(
+  const std::vector<std::filesystem::path>& paths, const Processes& processes, ScanOrder order,
+  const FileFinder& find);
+
+/// ScanEach by several processes (FindTogether): each finds most volumes of its part of the day, or
+/// of the country, among those that it visited.
 std::optional<std::vector<ScannedFile>> ScanTogether(
   const std::vector<std::filesystem::path>& paths, const Processes& processes, ScanOrder order,
   const SeriesOptions& options = {}, const VolumeVisitor& visitor = {},

@@ -37,6 +37,16 @@ bool Processes::InAll(bool mine) const
   return std::all_of(all.begin(), all.end(), [](const std::string& each) { return each == "1"; });
 }
 
+void Processes::RequireSame(const std::string& mine, const std::string& otherwise) const
+{
+  const std::vector<std::string> all = this->Exchange(mine);
+  if (std::any_of(
+        all.begin(), all.end(), [&all](const std::string& each) { return each != all.front(); }))
+  {
+    throw Error(otherwise);
+  }
+}
+
 void Processes::Together(const std::function<void()>& work) const
 {
   std::exception_ptr own;

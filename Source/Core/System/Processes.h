@@ -40,6 +40,10 @@ public:
   /// True when it is true in all processes, which all call this.
   bool InAll(bool mine) const;
 
+  /// Throws an Error of this text in all processes, which all call this, unless all hand over the
+  /// same.
+  void RequireSame(const std::string& mine, const std::string& otherwise) const;
+
   /// Runs `work`, as all processes do, and returns when all are done. When it throws in one of
   /// them, this throws in all: there what was thrown, elsewhere an Error of the same text.
   void Together(const std::function<void()>& work) const;

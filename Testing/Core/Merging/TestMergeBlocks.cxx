@@ -11,6 +11,7 @@
 #include "Scans/RadarsOfMissouri.h"
 #include "SweepMaker.h"
 #include "TestData.h"
+#include "ThreadProcesses.h"
 #include "Tolerance.h"
 #include "VolumePart.h"
 #include "nexrad/System/Error.h"
@@ -294,7 +295,7 @@ TEST(MergeBlocks, ASummaryKeepsWhatTheSearchForMotionLooksAt)
   {
     const VolumeSummary summary = MakeSummary(volume);
     EXPECT_EQ(summary.reach, 141'000.0);
-    EXPECT_AT_MOST(summary.MemoryBytes(), 19'000u, "memory of a summary, bytes");
+    EXPECT_AT_MOST(summary.MemoryBytes(), 20'000u, "memory of a summary, bytes");
     const BeamVolume expected = PrepareBeamVolume(volume);
     ExpectSame(CompositeOf(summary.composite), expected.composite);
     ExpectSame(CompositeOf(summary.lowest), expected.lowest);
@@ -414,6 +415,42 @@ TEST_F(RowOfRadars, BandsAreMadeOfTheSameVolumes)
       noon, 8, [](GriddedVolume band) { return band; },
       [](double fraction) { return fraction < 0.6; }));
   }
+}
+
+// Two processes decode four of the eight files each, tell each other what these hold, and merge a
+// half of the grid from what they decoded.
+TEST_F(RowOfRadars, ProcessesDecodeForEachOtherAndMergeBlocks)
+{
+  const GriddedVolume whole = Make(*this->Open(false), std::nullopt, 0);
+  const auto merge = [&](const Processes& processes)
+  {
+    MergerSetup setup;
+    setup.processes = processes;
+    setup.sharesBlocks = true;
+    setup.order = ScanOrder::ByLongitude;
+    options.begin = noon;
+    options.end = noon;
+    SeriesMerger merger({folder.Path()}, options, setup);
+    EXPECT_TRUE(merger.Open());
+    merger.EndAt(noon);
+    EXPECT_TRUE(merger.KnowTogether(noon));
+    const VoxelBlock block = SplitAlong(merger.Grid(), 0, 2)[processes.Rank()];
+    GriddedVolume expected = TakePart(whole, block);
+    int row = 0;
+    const auto take = [&](GriddedVolume band)
+    {
+      VoxelBlock rows = VoxelBlock::Of(expected.grid);
+      rows.begin[1] = row;
+      rows.end[1] = row += band.grid.dimensions[1];
+      ExpectSame(band, TakePart(expected, rows));
+      return band;
+    };
+    EXPECT_TRUE(merger.MergeInBands(noon, 8, take, {}, block));
+    EXPECT_EQ(row, 21);
+    EXPECT_TRUE(merger.Settle());
+    return merger.DecodedFiles();
+  };
+  EXPECT_EQ(AsProcesses(2, merge), (std::vector<std::size_t>{4, 4}));
 }
 
 // The motion over a block is found from all radars: where the others are left out, it is another.

@@ -4,6 +4,7 @@
 #include "HandMadeVolume.h"
 #include "Scans/RadarsOfMissouri.h"
 #include "TestData.h"
+#include "ThreadProcesses.h"
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Model/SiteTable.h"
 #include "nexrad/Series/ScanInputs.h"
@@ -15,15 +16,13 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <condition_variable>
-#include <future>
-#include <mutex>
 
 namespace nexrad
 {
 namespace
 {
 
+using testing::AsProcesses;
 using testing::ConstantVolume;
 using testing::keax;
 using testing::TemporaryFolder;
@@ -41,63 +40,6 @@ void ExpectSame(const PackedComposite& a, const PackedComposite& b)
     EXPECT_EQ(a.tilts[i].elevation, b.tilts[i].elevation);
     EXPECT_EQ(a.tilts[i].echo, b.tilts[i].echo);
   }
-}
-
-// Stands for processes: each thread hands its bytes over and waits for those of the others.
-class Meeting
-{
-public:
-  explicit Meeting(std::size_t count)
-    : parts(count)
-  {
-  }
-
-  Processes At(std::size_t rank)
-  {
-    return {rank, parts.size(),
-      [this, rank](const std::string& mine)
-      {
-        std::unique_lock<std::mutex> lock(mutex);
-        parts[rank] = mine;
-        const std::size_t own = turn;
-        if (++arrived == parts.size())
-        {
-          exchanged = parts;
-          arrived = 0;
-          ++turn;
-          changed.notify_all();
-        }
-        changed.wait(lock, [this, own] { return turn != own; });
-        return exchanged;
-      }};
-  }
-
-private:
-  std::mutex mutex;
-  std::condition_variable changed;
-  std::vector<std::string> parts;
-  std::vector<std::string> exchanged; // in the turn before
-  std::size_t arrived = 0;
-  std::size_t turn = 0;
-};
-
-// Runs a scan as `count` processes would; what came out in each.
-template <typename Scan>
-auto ScanAsProcesses(std::size_t count, const Scan& scan)
-{
-  using Result = decltype(scan(Processes()));
-  Meeting meeting(count);
-  std::vector<std::future<Result>> running;
-  for (std::size_t rank = 0; rank < count; ++rank)
-  {
-    running.push_back(std::async(std::launch::async, scan, meeting.At(rank)));
-  }
-  std::vector<Result> results;
-  for (std::future<Result>& process : running)
-  {
-    results.push_back(process.get());
-  }
-  return results;
 }
 
 std::string Describe(const SeriesScan& scan)
@@ -170,7 +112,7 @@ TEST(SharedScan, AllProcessesKnowWhatOneAloneWouldFind)
       [&visits](const SeriesVolume&, const RadarVolume&, const std::shared_ptr<const PolarVolume>&)
       { ++visits; });
   };
-  for (const auto& found : ScanAsProcesses(3, scan))
+  for (const auto& found : AsProcesses(3, scan))
   {
     EXPECT_EQ(Describe(*found), expected);
   }
@@ -195,7 +137,7 @@ TEST(SharedScan, PartsAreNeighboursInTime)
   }
   const auto scan = [&paths](const Processes& processes)
   { return PartOf(paths, processes, ScanOrder::ByTime); };
-  const auto parts = ScanAsProcesses(2, scan);
+  const auto parts = AsProcesses(2, scan);
   EXPECT_EQ(parts[0], (std::vector{paths[3], paths[1], paths[5]}));
   EXPECT_EQ(parts[1], (std::vector{paths[4], paths[2], paths[0]}));
 }
@@ -226,7 +168,7 @@ TEST(SharedScan, PartsMayBeNeighbouringSites)
       }
       return own;
     };
-    return ScanAsProcesses(2, scan);
+    return AsProcesses(2, scan);
   };
   using Names = std::vector<std::string>;
   const auto byLongitude = partsBy(ScanOrder::ByLongitude);
@@ -252,7 +194,7 @@ TEST(SharedScan, SummariesReachAllProcesses)
   const SeriesScan alone = *ScanInputs({folder.Path()}, options);
   const auto scan = [&](const Processes& processes)
   { return ScanShared({folder.Path()}, processes, options); };
-  for (const auto& found : ScanAsProcesses(2, scan))
+  for (const auto& found : AsProcesses(2, scan))
   {
     for (std::size_t i = 0; i < 3; ++i)
     {
@@ -288,7 +230,7 @@ TEST(SharedScan, OneFailureFailsAll)
     }
     return std::string("done");
   };
-  for (const std::string& outcome : ScanAsProcesses(3, scan))
+  for (const std::string& outcome : AsProcesses(3, scan))
   {
     EXPECT_NE(outcome.find("missing: no such file or folder"), std::string::npos);
   }
@@ -309,7 +251,7 @@ TEST(SharedScan, OneThatIsStoppedStopsAll)
       paths, processes, {}, {}, [&processes](double) { return processes.Rank() != 2; })
       .has_value();
   };
-  for (const bool finished : ScanAsProcesses(3, scan))
+  for (const bool finished : AsProcesses(3, scan))
   {
     EXPECT_FALSE(finished);
   }
