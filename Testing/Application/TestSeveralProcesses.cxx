@@ -99,6 +99,27 @@ TEST_F(SeveralProcesses, MakeTheSameFilesAsOne)
   }
 }
 
+// A volume of more than 134 million voxels, of which the radar sees few, is made by all processes
+// together.
+TEST_F(SeveralProcesses, MakeALargeVolumeTogether)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const TemporaryFolder folder;
+  const auto arguments = [&](const std::string& output)
+  {
+    return std::vector<std::string>{data / "level2" / "run-kbgm-20050821", "-o",
+      folder.Path() / output, "--dims", "4100x4100x8", "--axes", "geographic",
+      "--bounds=-90,25,-52,55", "--begin", "2005-08-21T02:55", "--end", "2005-08-21T02:55"};
+  };
+  std::vector<std::string> alone = arguments("alone");
+  alone.insert(alone.begin(), "grid");
+  ASSERT_EQ(RunNexrad3d(alone).status, 0);
+  const ProgramRun run = RunGrid(2, arguments("by-2"));
+  EXPECT_EQ(run.status, 0) << run.errors;
+  EXPECT_EQ(CountOf("1 volume, ", run.output), 1) << run.output;
+  EXPECT_TRUE(ContentOf(folder.Path() / "by-2") == ContentOf(folder.Path() / "alone"));
+}
+
 // Each process compares what all of them decoded, whether biases are taken off or not.
 TEST_F(SeveralProcesses, CompareTheRadarsAsOneDoes)
 {

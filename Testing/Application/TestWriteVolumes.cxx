@@ -8,6 +8,7 @@
 #include "Filters/Series/VolumeFiles.h"
 #include "HandMadeVolume.h"
 #include "TestData.h"
+#include "ThreadProcesses.h"
 #include "Tolerance.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Codec/NxvHeader.h"
@@ -55,11 +56,14 @@ protected:
     files.push_back(WriteLevel2(folder.Path() / "in" / name, {ConstantVolume(site, time, value)}));
   }
 
-  // The volume files, by their names, that a job makes.
-  std::map<std::string, std::string> Contents(const std::string& output)
+  // The volume files, by their names, that a job makes, in so many processes.
+  std::map<std::string, std::string> Contents(const std::string& output, std::size_t processes = 1)
   {
     job.folder = folder.Path() / output;
-    report = WriteVolumes(job);
+    report = AsProcesses(processes,
+      [this](const Processes& each) {
+        return WriteVolumes(job, {}, each);
+      }).front();
     std::map<std::string, std::string> contents;
     for (const auto& entry : fs::directory_iterator(job.folder))
     {
@@ -318,4 +322,52 @@ TEST_F(WritingVolumes, InBricksTheSame)
   // Not those of each radar, nor of NetCDF.
   job.perRadar = true;
   EXPECT_EQ(this->Contents("radars").begin()->second.find("bricks"), std::string::npos);
+}
+
+// Each process makes rows of each volume of bricks; of more processes than parts of 128 rows, some
+// make none.
+TEST_F(WritingVolumes, SeveralProcessesMakeAVolumeInBricksTogether)
+{
+  job.options.grid.dimensions = {70, 300, 10};
+  job.options.step = 10min;
+  job.written.largestWhole = 1000;
+  const auto expected = this->Contents("alone");
+  EXPECT_EQ(expected.size(), 5U);
+  for (const std::size_t processes : {std::size_t(2), std::size_t(3), std::size_t(5)})
+  {
+    EXPECT_TRUE(this->Contents("by-" + std::to_string(processes), processes) == expected);
+    EXPECT_FALSE(fs::exists(job.folder / UnfinishedRun::HiddenName));
+    EXPECT_EQ(report.files.size(), 5U);
+  }
+  // Also where all files are scanned first, to compare the radars.
+  job.options.measureBiases = true;
+  const auto compared = this->Contents("compared");
+  EXPECT_TRUE(this->Contents("compared-by-2", 2) == compared);
+  job.options.measureBiases = false;
+  // Also where a header errs, which one process finds out.
+  this->Write("late", {"KEAX", Position{38.81, -94.264, 333.0}}, start + 17min, 55.0);
+  SetHeaderTime(files.back(), start + 33min);
+  const auto erring = this->Contents("erring");
+  EXPECT_FALSE(erring == expected);
+  EXPECT_TRUE(this->Contents("erring-by-2", 2) == erring);
+}
+
+TEST_F(WritingVolumes, AFailureOfOneWhileRowsAreSharedFailsAll)
+{
+  job.options.grid.dimensions = {70, 300, 10};
+  job.options.step = 10min;
+  job.written.largestWhole = 1000;
+  const auto expected = this->Contents("alone");
+  // Where the second process has to write its rows of the third volume stands a folder.
+  const auto third = std::next(expected.begin(), 2)->first;
+  job.folder = folder.Path() / "out";
+  const fs::path inTheWay = job.folder / UnfinishedRun::HiddenName / ("." + third + ".part-1");
+  fs::create_directories(inTheWay / "full");
+  std::ofstream(job.folder / UnfinishedRun::HiddenName / UnfinishedRun::LockName);
+  job.recipe = "the same";
+  EXPECT_NE(MessageOf([&] { this->Contents("out", 3); }).find(".part-1"), std::string::npos);
+  EXPECT_TRUE(fs::exists(job.folder / expected.begin()->first));
+  EXPECT_FALSE(fs::exists(job.folder / "volumes.nxv.series"));
+  fs::remove_all(inTheWay);
+  EXPECT_TRUE(this->Contents("out", 2) == expected);
 }

@@ -2,6 +2,7 @@
 #include "Volumes/WriteVolumes.h"
 
 #include "nexrad/Codec/NxvFile.h"
+#include "nexrad/Grid/GridText.h"
 #include "nexrad/Merging/SeriesMerger.h"
 #include "nexrad/Series/Steps.h"
 #include "nexrad/System/Error.h"
@@ -71,23 +72,50 @@ std::vector<FileSeries> SeriesOf(const GridJob& job, const SeriesMerger& merger)
   return all;
 }
 
+// Whether several processes make each volume together; else each makes volumes of its own.
+bool ShareEachVolume(const GridJob& job, const Processes& processes)
+{
+  return processes.Count() > 1 && AreInBricks(FilesOfTimes(job), job.options);
+}
+
 // Merges and writes the steps of this process that are due.
 class BlockWriter
 {
 public:
   BlockWriter(const GridJob& theJob, SeriesMerger& theMerger, UnfinishedRun& theRun,
-    Steps& theSteps, const Processes& processes)
+    Steps& theSteps, const Processes& theProcesses)
     : job(theJob)
     , merger(theMerger)
     , run(theRun)
     , steps(theSteps)
+    , processes(theProcesses)
     , all(SeriesOf(theJob, theMerger))
-    , part(processes.Part(theMerger.Times().size()))
+    , part(theProcesses.Part(theMerger.Times().size()))
     , writer(theRun, FilesOfTimes(theJob))
   {
   }
 
+  // All processes call it.
   void Write(const Progress& progress)
+  {
+    if (ShareEachVolume(job, processes))
+    {
+      this->WriteShared(progress);
+      return;
+    }
+    processes.Together([&] { this->WriteOwn(progress); });
+  }
+
+  // By what is known of the files now, which may be more than when the step was made.
+  bool HasDue() const
+  {
+    const auto first = merger.Times().begin();
+    return std::any_of(first + part.first, first + part.second,
+      [this](const Time time) { return steps.IsDue(time, merger.MadeOf(time)); });
+  }
+
+private:
+  void WriteOwn(const Progress& progress)
   {
     const auto [begin, end] = part;
     if (begin < end)
@@ -101,15 +129,94 @@ public:
     writer.Finish();
   }
 
-  // By what is known of the files now, which may be more than when the step was made.
-  bool HasDue() const
+  // Each process makes rows of each volume, and the first one joins them.
+  void WriteShared(const Progress& progress)
   {
-    const auto first = merger.Times().begin();
-    return std::any_of(first + part.first, first + part.second,
-      [this](const Time time) { return steps.IsDue(time, merger.MadeOf(time)); });
+    constexpr double decoding = 0.3; // of the work
+    const std::size_t count = merger.Times().size();
+    std::string planned = GridText(merger.Grid());
+    for (const std::string& name : all.front().files)
+    {
+      planned += '\n' + name;
+    }
+    processes.RequireSame(
+      planned, "the processes do not make the same volumes; all need the same options");
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const Progress own = ShareOf(progress, i, count);
+      merger.EndAt(merger.Times()[i]); // nobody decodes ahead what others may decode as well
+      if (!merger.KnowTogether(merger.Times()[i], ShareOf(own, 0.0, decoding)))
+      {
+        this->Stop();
+      }
+      bool isThere = false;
+      processes.Together([&] { isThere = this->IsThere(i, own); });
+      if (!processes.InAll(isThere))
+      {
+        processes.Together([&] { this->MakeRows(i, ShareOf(own, decoding, 1.0)); });
+        processes.Together([&] { processes.IsFirst() ? this->JoinRows(i) : this->Note(i); });
+      }
+    }
   }
 
-private:
+  // The rows that a process makes; none where there are more processes than parts.
+  VoxelBlock RowsOf(std::size_t rank) const
+  {
+    VoxelBlock rows = VoxelBlock::Of(merger.Grid());
+    const int height = rows.end[1];
+    const auto parts = static_cast<std::size_t>((height - 1) / NxvBandWriter::PartRows + 1);
+    const auto [begin, end] = processes.PartOf(parts, rank);
+    rows.begin[1] = std::min(static_cast<int>(begin) * NxvBandWriter::PartRows, height);
+    rows.end[1] = std::min(static_cast<int>(end) * NxvBandWriter::PartRows, height);
+    return rows;
+  }
+
+  // The hidden file of the rows of a process.
+  fs::path PlaceForRows(std::size_t step, std::size_t rank) const
+  {
+    return run.PlaceFor("." + all.front().files[step] + ".part-" + std::to_string(rank));
+  }
+
+  void MakeRows(std::size_t step, const Progress& progress)
+  {
+    const VoxelBlock rows = this->RowsOf(processes.Rank());
+    if (rows.Size(1) == 0)
+    {
+      return;
+    }
+    NxvBandWriter bricks(
+      this->PlaceForRows(step, processes.Rank()), merger.Grid(), rows, job.written.nxv);
+    if (!this->AddBands(step, bricks, progress, rows))
+    {
+      this->Stop();
+    }
+    bricks.Commit();
+  }
+
+  void JoinRows(std::size_t step)
+  {
+    const std::string& name = all.front().files[step];
+    NxvBandWriter bricks(run.PlaceFor(name), merger.Grid(), job.written.nxv);
+    for (std::size_t rank = 0; rank < processes.Count(); ++rank)
+    {
+      if (this->RowsOf(rank).Size(1) > 0)
+      {
+        bricks.AddPart(this->PlaceForRows(step, rank), vtkNexradRangeLoop());
+        fs::remove(this->PlaceForRows(step, rank));
+      }
+    }
+    this->Begin(step, merger.MadeOf(merger.Times()[step]));
+    bricks.Commit();
+    run.Add(name);
+  }
+
+  // What the first process made is made, here as well.
+  void Note(std::size_t step)
+  {
+    const Time time = merger.Times()[step];
+    steps.Make(time, merger.MadeOf(time));
+  }
+
   bool IsThere(std::size_t step, const Progress& progress)
   {
     const bool written = std::all_of(all.begin(), all.end(),
@@ -134,22 +241,28 @@ private:
     }
   }
 
-  // All three are false when asked to stop.
-  bool MakeInBricks(std::size_t step, const Progress& progress)
+  // All four are false when asked to stop.
+  bool AddBands(std::size_t step, NxvBandWriter& bricks, const Progress& progress,
+    const std::optional<VoxelBlock>& rows = {})
   {
-    const std::string& name = all.front().files[step];
-    NxvBandWriter bricks(run.PlaceFor(name), merger.Grid(), job.written.nxv);
     const RangeLoop loop = vtkNexradRangeLoop();
     const auto take = [&](GriddedVolume band)
     {
       bricks.Add(band, loop);
       return band;
     };
-    if (!merger.MergeInBands(merger.Times()[step], NxvBandWriter::Rows, take, progress))
+    return merger.MergeInBands(merger.Times()[step], NxvBandWriter::Rows, take, progress, rows);
+  }
+
+  bool MakeInBricks(std::size_t step, const Progress& progress)
+  {
+    const std::string& name = all.front().files[step];
+    NxvBandWriter bricks(run.PlaceFor(name), merger.Grid(), job.written.nxv);
+    if (!this->AddBands(step, bricks, progress))
     {
       return false;
     }
-    this->Begin(step);
+    this->Begin(step, this->LastMadeOf(step));
     bricks.Commit();
     run.Add(name);
     return true;
@@ -164,7 +277,7 @@ private:
     auto volume = merger.Merge(merger.Times()[step], progress, {}, std::move(memory));
     if (volume)
     {
-      this->Begin(step);
+      this->Begin(step, this->LastMadeOf(step));
       memory = writer.Write(std::move(*volume));
     }
     return volume.has_value();
@@ -177,25 +290,27 @@ private:
     {
       if (!std::exchange(begun, true))
       {
-        this->Begin(step);
+        this->Begin(step, this->LastMadeOf(step));
       }
       writer.Write(std::move(volume));
     };
     return merger.MergeEachRadar(merger.Times()[step], write, progress);
   }
 
+  std::string LastMadeOf(std::size_t step) const { return merger.LastMadeOf(merger.Times()[step]); }
+
   // A file that is there was written after it was kept of what: whenever the run ends, a file of
   // something else is gone.
-  void Begin(std::size_t step)
+  void Begin(std::size_t step, const std::string& made)
   {
     for (const FileSeries& series : all)
     {
       run.Remove(series.files[step]);
     }
     const Time time = merger.Times()[step];
-    steps.Make(time, merger.LastMadeOf(time));
+    steps.Make(time, made);
     Steps own;
-    own.Make(time, merger.LastMadeOf(time));
+    own.Make(time, made);
     this->Keep(own);
   }
 
@@ -213,6 +328,7 @@ private:
   SeriesMerger& merger;
   UnfinishedRun& run;
   Steps& steps;
+  const Processes& processes;
   const std::vector<FileSeries> all;
   const std::pair<std::size_t, std::size_t> part; // of this process
   StepWriter writer;
@@ -355,6 +471,8 @@ GridReport WriteVolumes(const GridJob& job, const Progress& progress, const Proc
   setup.threads = vtkNexradThreadCount();
   setup.processes = processes;
   setup.use = UseOfWriting(FilesOfTimes(job), job.options);
+  setup.sharesBlocks = ShareEachVolume(job, processes);
+  setup.order = setup.sharesBlocks ? ScanOrder::ByLatitude : ScanOrder::ByTime;
   MergeOptions options = job.options;
   options.compareRadars = true;
   SeriesMerger merger(job.inputs, options, setup);
@@ -380,7 +498,7 @@ GridReport WriteVolumes(const GridJob& job, const Progress& progress, const Proc
   {
     BlockWriter writer(job, merger, run, steps, processes);
     const double from = merger.IsScanned() ? ScanShare : 0.0;
-    processes.Together([&] { writer.Write(ShareOf(progress, from, 1.0)); });
+    writer.Write(ShareOf(progress, from, 1.0));
     if (!merger.Settle())
     {
       run.Discard();

@@ -56,10 +56,10 @@ struct GridReport
 /// the process, is continued by the next one with the same recipe (UnfinishedRun): it makes the
 /// volumes that are not there, or would be made of other files now (Steps). Files are decoded and
 /// volumes written while others are merged, in memory that does not grow with the number of steps;
-/// files that no step needs are not decoded. Several processes make a part of the times each, with
-/// the same files as one alone; the first writes the index when all are done, and all get the same
-/// report. Throws Error when no input holds a ray or a file cannot be written: in all processes
-/// when it fails in one.
+/// files that no step needs are not decoded. Several processes make a part of the times each, and
+/// of volumes in bricks a part of the rows of each, with the same files as one alone; the first
+/// joins rows, and writes the index when all are done. All get the same report. Throws Error when
+/// no input holds a ray or a file cannot be written: in all processes when it fails in one.
 GridReport WriteVolumes(
   const GridJob& job, const Progress& progress = {}, const Processes& processes = Processes());
 
