@@ -29,3 +29,17 @@ def files():
     paths = [path for path in glob.glob(os.path.join(radar, "**", "*"), recursive=True)
              if os.path.isfile(path)]
     return tuple(sorted(paths))
+
+
+#: A domain that is so large that `nexrad3d grid` writes it in bricks and with levels (more than 2^27 voxels). Most of it
+#: is far from the radar, so it takes a second.
+LARGE = ("--dims", "4100x4100x8", "--axes", "geographic", "--bounds=-110,25,-72,55")
+
+
+@functools.lru_cache(maxsize=None)
+def large_volume():
+    """Path of the volume of 18:05 UTC in the large domain."""
+    path = os.path.join(folder(), "large")
+    subprocess.run([os.environ["NEXRAD3D"], "grid", *files(), "-o", path, *LARGE, "--end", "2006-03-12T18:05", "--quiet"],
+                   check=True)
+    return glob.glob(os.path.join(path, "*.nxv"))[0]

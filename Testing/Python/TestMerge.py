@@ -289,6 +289,55 @@ class Volumes(unittest.TestCase):
             vtknexrad.Volume(image).latitude
 
 
+class Parts(unittest.TestCase):
+    """Rows and levels of files."""
+
+    def is_part(self, part, whole, first, end):
+        self.assertEqual((part.moments, part.ancillary, part.time), (whole.moments, whole.ancillary, whole.time))
+        for name in whole.moments + whole.ancillary:
+            numpy.testing.assert_array_equal(part[name].states, whole[name].states[:, first:end])
+            numpy.testing.assert_array_equal(part[name].filled(0), whole[name].filled(0)[:, first:end])
+        for name, places in (("x", whole.x), ("y", whole.y[first:end]), ("z", whole.z),
+                             ("latitude", whole.latitude[first:end]), ("longitude", whole.longitude[first:end])):
+            numpy.testing.assert_array_equal(getattr(part, name), places)
+
+    def test_rows_are_those_of_the_whole(self):
+        path = os.path.join(exact(), "volumes.nxv.series")
+        whole = vtknexrad.Volume.open(path)
+        for first, end in ((0, 1), (7, 20), (DIMS[1] - 1, DIMS[1]), (0, DIMS[1])):
+            self.is_part(vtknexrad.Volume.open(path, rows=(first, end)), whole, first, end)
+        self.assertEqual(vtknexrad.Volume.levels(path), [DIMS[::-1]])
+
+    def test_what_is_not_there(self):
+        path = glob.glob(os.path.join(exact(), "*.nxv"))[0]
+        for first, end in ((0, DIMS[1] + 1), (-1, 4), (5, 5)):
+            with self.assertRaisesRegex(IndexError, f"^{path}: no rows {first} to {end}; there are 36, counted from 0$"):
+                vtknexrad.open(path, rows=(first, end))
+        for level in (-1, 1):
+            with self.assertRaisesRegex(IndexError, f"^{path}: no level {level}; there are 1, counted from 0$"):
+                vtknexrad.open(path, level=level)
+
+    def test_levels_of_a_large_volume(self):
+        path = SyntheticFiles.large_volume()
+        self.assertEqual(vtknexrad.Volume.levels(path), [(8, size, size) for size in (4100, 2050, 1025, 513, 257)])
+        whole = vtknexrad.Volume.open(path, level=1)
+        self.is_part(vtknexrad.Volume.open(path, level=1, rows=(1000, 1100)), whole, 1000, 1100)
+
+    def test_a_level_is_the_mean_of_smaller_voxels(self):
+        # Both are rounded to half dBZ.
+        path = SyntheticFiles.large_volume()
+        fine = vtknexrad.Volume.open(path, rows=(2000, 2200))
+        coarse = vtknexrad.Volume.open(path, level=1, rows=(1000, 1100))
+        numpy.testing.assert_allclose(coarse.y, fine.y.reshape(-1, 2).mean(axis=1))
+        fours = fine["REF"].states.reshape(8, 100, 2, 2050, 2)
+        echo = (fours == State.ECHO).any(axis=(2, 4))
+        numpy.testing.assert_array_equal(coarse["REF"].where(State.ECHO), echo)
+        power = numpy.where(fours == State.ECHO, 10.0 ** (fine["REF"].filled(0.0).reshape(fours.shape) / 10.0), 0.0)
+        scanned = (fours == State.ECHO) | (fours == State.NO_ECHO)
+        mean = 10.0 * numpy.log10(power.sum(axis=(2, 4))[echo] / scanned.sum(axis=(2, 4))[echo])
+        at_most(self, numpy.abs(coarse["REF"].values.data[echo] - mean).max(), 0.5, "error of a coarser level, dBZ")
+
+
 class Series(unittest.TestCase):
     def test_a_folder_without_an_index(self):
         folder, index = exact(), os.path.join(exact(), "volumes.nxv.series")

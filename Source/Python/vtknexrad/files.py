@@ -8,7 +8,7 @@ from typing import Any, Optional, Union
 
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
-from .errors import run
+from .errors import OutOfRange, run
 from .vtkNexradIO import vtkNexradLevel2Reader, vtkNexradVolumeReader, vtkNexradVolumeWriter
 
 Path = Union[str, "os.PathLike[str]"]
@@ -78,6 +78,39 @@ def volume_reader(path: Path, moments: Optional[str] = None) -> Any:
     reader.SetFileName(existing(path))
     reader.SetMoments(moments or "")
     return reader
+
+
+def levels_of_volume(path: Path) -> list[tuple[int, int, int]]:
+    """Voxels along z, y and x of the volume in a .nxv file and of its coarser levels. Raises FileNotFoundError
+    and Error."""
+    reader = volume_reader(path)
+    shapes: list[tuple[int, int, int]] = []
+    while True:
+        reader.SetLevel(len(shapes))
+        _, east, _, north, _, top = Output(reader).extent
+        shape = (top + 1, north + 1, east + 1)
+        if shape in shapes:  # after the coarsest level the reader gives it again
+            return shapes
+        shapes.append(shape)
+
+
+def part_of_volume(path: Path, moments: Optional[str], level: int, rows: Optional[tuple[int, int]]) -> Any:
+    """The image of some rows of a level of a .nxv file. Raises FileNotFoundError, Error and OutOfRange."""
+    reader = volume_reader(path, moments)
+    if level != 0:
+        count = len(levels_of_volume(path))
+        if not 0 <= level < count:
+            raise OutOfRange(f"{os.fspath(path)}: no level {level}; there are {count}, counted from 0")
+        reader.SetLevel(level)
+    output = Output(reader)
+    if rows is None:
+        return output.at()
+    west, east, _, north, bottom, top = output.extent
+    first, end = rows
+    if not 0 <= first < end <= north + 1:
+        raise OutOfRange(f"{os.fspath(path)}: no rows {first} to {end}; there are {north + 1}, counted from 0")
+    run(reader, lambda: reader.UpdateExtent((west, east, first, end - 1, bottom, top)))
+    return reader.GetOutputDataObject(0)
 
 
 def volume_writer(path: Path, code: str) -> Any:

@@ -24,7 +24,8 @@ def open(path: Path, **options: Any) -> Union[RadarVolume, Volume, VolumeSeries]
     - A merged volume (.nxv): a Volume.
     - An index (.nxv.series), or a folder with one or with .nxv files: a VolumeSeries.
 
-    options: those of the class: `quality`, `site` and `position` of RadarVolume, `moments` of the others.
+    options: those of the class: `quality`, `site` and `position` of RadarVolume, `moments` of the others, `level`
+    and `rows` of Volume.
 
     Raises FileNotFoundError for a path that does not exist, and Error, in one line, for a file of another
     kind, one that cannot be read, and a folder or tar archive of radar files, which `merge` takes.

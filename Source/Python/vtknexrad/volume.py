@@ -51,14 +51,33 @@ class Volume:
         self.image.ShallowCopy(image)
 
     @classmethod
-    def open(cls, path: Path, moments: Optional[str] = None) -> Volume:
+    def open(cls, path: Path, moments: Optional[str] = None, level: int = 0,
+             rows: Optional[tuple[int, int]] = None) -> Volume:
         """Reads a .nxv file; of an index, its first volume.
 
         moments: names of moments to read, as "VEL,REF"; None for all.
+        level: 0 for the voxels of the volume, 1 for the next larger ones, as `levels` lists them.
+        rows: the first row along y, and the one after the last; None for all. Of a file in bricks
+            (`nexrad3d grid` writes large volumes so) only those of the rows are read.
 
-        Raises FileNotFoundError, and Error for what is no volume or has no such moment.
+        Raises FileNotFoundError, Error for what is no volume or has no such moment, and OutOfRange,
+        which is an IndexError, for a level or rows that are not there.
+
+        >>> vtknexrad.Volume.open("volumes/20060312T180500Z.nxv", rows=(16, 24)).shape
+        (32, 8, 64)
         """
-        return cls(files.Output(files.volume_reader(path, moments)).at())
+        return cls(files.part_of_volume(path, moments, level, rows))
+
+    @staticmethod
+    def levels(path: Path) -> list[tuple[int, int, int]]:
+        """Voxels along z, y and x of the volume in a .nxv file and of its coarser levels.
+
+        Raises FileNotFoundError, and Error for what is no volume.
+
+        >>> vtknexrad.Volume.levels("volumes/20060312T180500Z.nxv")
+        [(32, 64, 64)]
+        """
+        return files.levels_of_volume(path)
 
     @functools.cached_property
     def time(self) -> numpy.datetime64:
