@@ -422,14 +422,14 @@ TEST_F(RowOfRadars, BandsAreMadeOfTheSameVolumes)
 TEST_F(RowOfRadars, ProcessesDecodeForEachOtherAndMergeBlocks)
 {
   const GriddedVolume whole = Make(*this->Open(false), std::nullopt, 0);
+  options.begin = noon;
+  options.end = noon;
   const auto merge = [&](const Processes& processes)
   {
     MergerSetup setup;
     setup.processes = processes;
     setup.sharesBlocks = true;
     setup.order = ScanOrder::ByLongitude;
-    options.begin = noon;
-    options.end = noon;
     SeriesMerger merger({folder.Path()}, options, setup);
     EXPECT_TRUE(merger.Open());
     merger.EndAt(noon);
