@@ -352,6 +352,28 @@ TEST_F(WritingVolumes, SeveralProcessesMakeAVolumeInBricksTogether)
   EXPECT_TRUE(this->Contents("erring-by-2", 2) == erring);
 }
 
+// Of processes with different options, nobody waits for what the others do not do.
+TEST_F(WritingVolumes, ProcessesThatShareRowsNeedTheSameOptions)
+{
+  job.options.grid.dimensions = {70, 300, 10};
+  job.written.largestWhole = 1000;
+  job.folder = folder.Path() / "out";
+  GridJob other = job;
+  other.recipe = "another step";
+  GridJob small = job;
+  small.written.largestWhole = 1'000'000;
+  for (const GridJob& second : {other, small})
+  {
+    const auto outcomes = AsProcesses(2, [&](const Processes& each)
+      { return MessageOf([&] { WriteVolumes(each.IsFirst() ? job : second, {}, each); }); });
+    for (const std::string& outcome : outcomes)
+    {
+      EXPECT_EQ(outcome, "the processes do not make the same volumes; all need the same options");
+    }
+  }
+  EXPECT_FALSE(fs::exists(job.folder));
+}
+
 TEST_F(WritingVolumes, AFailureOfOneWhileRowsAreSharedFailsAll)
 {
   job.options.grid.dimensions = {70, 300, 10};

@@ -2,7 +2,6 @@
 #include "Volumes/WriteVolumes.h"
 
 #include "nexrad/Codec/NxvFile.h"
-#include "nexrad/Grid/GridText.h"
 #include "nexrad/Merging/SeriesMerger.h"
 #include "nexrad/Series/Steps.h"
 #include "nexrad/System/Error.h"
@@ -134,13 +133,6 @@ private:
   {
     constexpr double decoding = 0.3; // of the work
     const std::size_t count = merger.Times().size();
-    std::string planned = GridText(merger.Grid());
-    for (const std::string& name : all.front().files)
-    {
-      planned += '\n' + name;
-    }
-    processes.RequireSame(
-      planned, "the processes do not make the same volumes; all need the same options");
     for (std::size_t i = 0; i < count; ++i)
     {
       const Progress own = ShareOf(progress, i, count);
@@ -472,6 +464,9 @@ GridReport WriteVolumes(const GridJob& job, const Progress& progress, const Proc
   setup.processes = processes;
   setup.use = UseOfWriting(FilesOfTimes(job), job.options);
   setup.sharesBlocks = ShareEachVolume(job, processes);
+  // Where some do other things than the others, all would wait for each other in two places.
+  processes.RequireSame(setup.sharesBlocks ? "shared\n" + job.recipe : std::string(),
+    "the processes do not make the same volumes; all need the same options");
   setup.order = setup.sharesBlocks ? ScanOrder::ByLatitude : ScanOrder::ByTime;
   MergeOptions options = job.options;
   options.compareRadars = true;

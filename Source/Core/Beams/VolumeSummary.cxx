@@ -101,8 +101,6 @@ VolumeSummary MakeSummary(const BeamVolume& volume)
     summary.composite = Pack(volume.composite);
     summary.lowest = Pack(volume.lowest);
   }
-  summary.echo = volume.echo;
-  summary.endsAt = volume.endsAt;
   for (const BeamSweep& sweep : volume.sweeps)
   {
     summary.reach = std::max(summary.reach, static_cast<double>(sweep.Reach()));
@@ -117,8 +115,6 @@ VolumeSummary MakeSummary(const PolarVolume& volume)
   {
     summary = MakeSummary(PrepareBeamVolume(volume));
   }
-  summary.echo = volume.echo;
-  summary.endsAt = volume.endsAt;
   for (const PolarSweep& sweep : volume.sweeps)
   {
     summary.reach = std::max(

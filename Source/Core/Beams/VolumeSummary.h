@@ -5,7 +5,6 @@
 #include "nexrad/Polar/PolarVolume.h"
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 namespace nexrad
@@ -23,16 +22,13 @@ struct PackedComposite
   std::vector<float> picture;
 };
 
-/// What must be known of a volume where its rays are not needed: how far it sees, what a merged
-/// volume says of it, and for reflectivity the pictures in which motion is looked for. Some ten
-/// thousand bytes.
+/// What must be known of a volume where its rays are not needed: how far it sees, and for
+/// reflectivity the pictures in which motion is looked for. Some ten thousand bytes.
 struct VolumeSummary
 {
   double reach = 0.0;        ///< m, slant range of the outer edge of the farthest gate of any sweep
   PackedComposite composite; ///< that of BeamVolume
   PackedComposite lowest;    ///< that of BeamVolume
-  EchoGates echo;            ///< that of BeamVolume
-  std::optional<double> endsAt = std::nullopt; ///< PolarVolume::endsAt
 
   std::size_t MemoryBytes() const;
 };

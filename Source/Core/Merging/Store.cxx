@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Merging/Store.h"
 
+#include "nexrad/Quality/EchoClassification.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
@@ -674,8 +675,11 @@ std::shared_ptr<const BeamVolume> Store::WithoutSweeps(
     without.start = volume.start;
     without.end = volume.end;
     without.synthetic = volume.synthetic;
-    without.echo = moment == MomentName::REF ? volume.summary->echo : EchoGates();
-    without.endsAt = volume.summary->endsAt;
+    if (moment == MomentName::REF && volume.echo)
+    {
+      without.echo = GatesLeft(*volume.echo, work.options.quality.level);
+    }
+    without.endsAt = volume.endsAt;
     if (pictured)
     {
       without.composite = CompositeOf(volume.summary->composite);

@@ -41,6 +41,7 @@ struct SeriesVolume
   std::vector<MomentName> lacking;  ///< of the moments that were asked for, those that no ray has
   std::optional<ReasonCounts> echo; ///< gates of reflectivity by what quality control found in
                                     ///< them, once it was made; empty where quality control is off
+  std::optional<double> endsAt;     ///< PolarVolume::endsAt, once a moment was made
 
   bool Has(MomentName moment) const;
 };

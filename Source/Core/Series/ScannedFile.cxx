@@ -204,6 +204,7 @@ std::string Visit(SeriesVolume& description, const RadarVolume& volume,
     description.summary = std::make_shared<const VolumeSummary>(std::move(summary));
   }
   description.echo = maker.Echo();
+  description.endsAt = clean.empty() ? std::nullopt : clean.front()->endsAt;
   for (std::size_t i = 0; visitor && i < clean.size(); ++i)
   {
     visitor(description, volume, clean[i]);

@@ -121,12 +121,11 @@ void from_json(const Json& packed, LowEcho& echo)
   echo = LowEcho::Unpack(std::string(bytes.begin(), bytes.end()));
 }
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EchoGates, all, biological)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VolumeSummary, reach, composite, lowest, echo, endsAt)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VolumeSummary, reach, composite, lowest)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Position, latitude, longitude, altitude)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Site, name, position)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SeriesVolume, file, origin, cycle, start, end, begun, left, rays,
-  reach, synthetic, summary, lowEcho, moments, lacking, echo)
+  reach, synthetic, summary, lowEcho, moments, lacking, echo, endsAt)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(InputProblem, file, offset, what, leftOut, isMissingEnd)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ScannedFile, origin, volumes, problems, notes)
 

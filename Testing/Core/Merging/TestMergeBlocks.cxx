@@ -295,7 +295,7 @@ TEST(MergeBlocks, ASummaryKeepsWhatTheSearchForMotionLooksAt)
   {
     const VolumeSummary summary = MakeSummary(volume);
     EXPECT_EQ(summary.reach, 141'000.0);
-    EXPECT_AT_MOST(summary.MemoryBytes(), 20'000u, "memory of a summary, bytes");
+    EXPECT_AT_MOST(summary.MemoryBytes(), 19'000u, "memory of a summary, bytes");
     const BeamVolume expected = PrepareBeamVolume(volume);
     ExpectSame(CompositeOf(summary.composite), expected.composite);
     ExpectSame(CompositeOf(summary.lowest), expected.lowest);
