@@ -2,7 +2,6 @@
 #pragma once
 
 #include "nexrad/Archives/FileParts.h"
-#include "nexrad/Archives/TarMembers.h"
 
 #include <cstdint>
 #include <map>
@@ -11,6 +10,15 @@
 
 namespace nexrad
 {
+
+/// What is wrong in an archive, or with one of its members.
+struct ArchiveProblem
+{
+  std::string member;       ///< "" for the archive itself
+  std::uint64_t offset = 0; ///< in the archive; in the member, when there is one
+  std::string what;         ///< one line
+  bool leftOut = false;     ///< the member is not read
+};
 
 /// The members of a tar archive, and of the archives in it. Each can be read at its place.
 struct Archive

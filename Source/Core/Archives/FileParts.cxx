@@ -18,22 +18,8 @@ namespace fs = std::filesystem;
 namespace nexrad
 {
 
-/// Closes the file with its last user.
-class FilePart::Descriptor
-{
-public:
-  explicit Descriptor(int theNumber)
-    : number(theNumber)
-  {
-  }
-  ~Descriptor() { close(number); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  const int number;
-};
-
-FilePart::FilePart(std::shared_ptr<const Descriptor> file, std::uint64_t begin, std::uint64_t size)
+FilePart::FilePart(
+  std::shared_ptr<const FileDescriptor> file, std::uint64_t begin, std::uint64_t size)
   : descriptor(std::move(file))
   , first(begin)
   , length(size)
@@ -43,15 +29,10 @@ FilePart::FilePart(std::shared_ptr<const Descriptor> file, std::uint64_t begin, 
 std::optional<FilePart> FilePart::Open(const fs::path& path)
 {
   std::error_code failure; // a pipe is not opened: its writer would take it for the reader
-  const int number =
-    fs::is_regular_file(path, failure) ? open(path.c_str(), O_RDONLY | O_CLOEXEC) : -1;
-  if (number < 0)
-  {
-    return std::nullopt;
-  }
-  auto file = std::make_shared<const Descriptor>(number);
+  auto file = std::make_shared<const FileDescriptor>(
+    fs::is_regular_file(path, failure) ? open(path.c_str(), O_RDONLY | O_CLOEXEC) : -1);
   struct stat status = {};
-  if (fstat(number, &status) != 0 || !S_ISREG(status.st_mode))
+  if (!file->IsOpen() || fstat(file->Number(), &status) != 0 || !S_ISREG(status.st_mode))
   {
     return std::nullopt;
   }
@@ -71,8 +52,8 @@ std::size_t FilePart::Read(std::uint64_t offset, std::uint8_t* target, std::size
   std::size_t done = 0;
   while (done < wanted)
   {
-    const ssize_t count = pread(
-      descriptor->number, target + done, wanted - done, static_cast<off_t>(first + offset + done));
+    const ssize_t count = pread(descriptor->Number(), target + done, wanted - done,
+      static_cast<off_t>(first + offset + done));
     if (count == 0 || (count < 0 && errno != EINTR))
     {
       break;
@@ -101,14 +82,14 @@ ScratchFile::ScratchFile()
                 (failure ? failure.message() : std::strerror(errno)));
   }
   unlink(name.c_str());
-  descriptor = std::make_shared<const FilePart::Descriptor>(number);
+  descriptor = std::make_shared<const FileDescriptor>(number);
 }
 
 void ScratchFile::Append(const std::uint8_t* data, std::size_t size)
 {
   while (size > 0)
   {
-    const ssize_t count = write(descriptor->number, data, size);
+    const ssize_t count = write(descriptor->Number(), data, size);
     if (count < 0 && errno != EINTR)
     {
       throw Error(std::string("the temporary file cannot be written: ") + std::strerror(errno) +

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "nexrad/System/AtomicFile.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -29,10 +31,9 @@ public:
 
 private:
   friend class ScratchFile;
-  class Descriptor;
-  FilePart(std::shared_ptr<const Descriptor> file, std::uint64_t begin, std::uint64_t size);
+  FilePart(std::shared_ptr<const FileDescriptor> file, std::uint64_t begin, std::uint64_t size);
 
-  std::shared_ptr<const Descriptor> descriptor;
+  std::shared_ptr<const FileDescriptor> descriptor;
   std::uint64_t first;
   std::uint64_t length;
 };
@@ -52,7 +53,7 @@ public:
   FilePart From(std::uint64_t begin) const;
 
 private:
-  std::shared_ptr<const FilePart::Descriptor> descriptor;
+  std::shared_ptr<const FileDescriptor> descriptor;
   std::uint64_t length = 0;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Archives/StoredFiles.h"
 
+#include "nexrad/System/Error.h"
+
 #include <algorithm>
 #include <list>
 #include <mutex>
@@ -145,6 +147,21 @@ StoredKind KindOf(const fs::path& path)
   return isMember             ? StoredKind::File
          : IsFolderOf(*place) ? StoredKind::Folder
                               : StoredKind::Nothing;
+}
+
+void RequireOrdinaryFile(const fs::path& path)
+{
+  std::error_code ignored;
+  if (fs::is_other(path, ignored))
+  {
+    throw Error(path.string() + ": neither a file nor a folder; name a file");
+  }
+}
+
+bool IsOrdinaryFile(const fs::path& path)
+{
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored);
 }
 
 std::shared_ptr<const Archive> FindArchive(const fs::path& path)

@@ -29,6 +29,15 @@ enum class StoredKind
 
 StoredKind KindOf(const std::filesystem::path& path);
 
+/// Throws Error for a path that is neither a file nor a folder: a pipe keeps its reader waiting for
+/// a writer, and a device never ends. To be called before a file that somebody named is opened. A
+/// path that does not exist passes: opening it says what is wrong.
+void RequireOrdinaryFile(const std::filesystem::path& path);
+
+/// True for a file on disk that can be opened without waiting: not for a folder, a pipe or a
+/// device.
+bool IsOrdinaryFile(const std::filesystem::path& path);
+
 /// The archive that a path on disk names; nullptr where it names none.
 std::shared_ptr<const Archive> FindArchive(const std::filesystem::path& path);
 

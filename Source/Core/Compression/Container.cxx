@@ -26,6 +26,72 @@ unsigned SmallCount(std::size_t count)
   return static_cast<unsigned>(std::min<std::size_t>(count, std::numeric_limits<int>::max()));
 }
 
+// The problem of a stream that holds more than it may.
+std::string TooLarge(std::uint64_t maximumBytes)
+{
+  return "more than " + std::to_string(maximumBytes) + " bytes when decompressed; the rest is left";
+}
+
+enum class StepResult
+{
+  More,
+  End,
+  Corrupt
+};
+
+struct GzipStream : z_stream
+{
+  static constexpr const char* name = "gzip";
+  static constexpr std::uint8_t firstByte = 0x1F;
+
+  GzipStream()
+    : z_stream{}
+  {
+    constexpr int gzipHeaderAndLargestWindow = 16 + MAX_WBITS;
+    inflateInit2(this, gzipHeaderAndLargestWindow);
+  }
+  ~GzipStream() { inflateEnd(this); }
+  GzipStream(const GzipStream&) = delete;
+  GzipStream& operator=(const GzipStream&) = delete;
+
+  void Restart() { inflateReset(this); }
+  StepResult Step()
+  {
+    const int status = inflate(this, Z_NO_FLUSH);
+    return status == Z_STREAM_END                    ? StepResult::End
+           : status == Z_OK || status == Z_BUF_ERROR ? StepResult::More
+                                                     : StepResult::Corrupt;
+  }
+};
+
+struct Bzip2Stream : bz_stream
+{
+  static constexpr const char* name = "bzip2";
+  static constexpr std::uint8_t firstByte = 'B';
+
+  Bzip2Stream()
+    : bz_stream{}
+  {
+    BZ2_bzDecompressInit(this, 0, 0);
+  }
+  ~Bzip2Stream() { BZ2_bzDecompressEnd(this); }
+  Bzip2Stream(const Bzip2Stream&) = delete;
+  Bzip2Stream& operator=(const Bzip2Stream&) = delete;
+
+  void Restart()
+  {
+    BZ2_bzDecompressEnd(this);
+    BZ2_bzDecompressInit(this, 0, 0);
+  }
+  StepResult Step()
+  {
+    const int status = BZ2_bzDecompress(this);
+    return status == BZ_STREAM_END ? StepResult::End
+           : status == BZ_OK       ? StepResult::More
+                                   : StepResult::Corrupt;
+  }
+};
+
 class GzipReader
 {
 public:
@@ -36,12 +102,7 @@ public:
     , window(windowBytes)
   {
     result.bytes.reserve(std::min(this->LikelySize(), maximum));
-    constexpr int gzipHeaderAndLargestWindow = 16 + MAX_WBITS;
-    inflateInit2(&stream, gzipHeaderAndLargestWindow);
   }
-  ~GzipReader() { inflateEnd(&stream); }
-  GzipReader(const GzipReader&) = delete;
-  GzipReader& operator=(const GzipReader&) = delete;
 
   Unpacked Run()
   {
@@ -49,7 +110,6 @@ public:
     while (result.problem.empty() && this->Step())
     {
     }
-    result.problemOffset = position;
     return std::move(result);
   }
 
@@ -78,15 +138,15 @@ private:
       result.problem = TooLarge(maximum);
       return false;
     }
-    stream.next_in = stored.Data() + position;
-    stream.avail_in = SmallCount(stored.Size() - position);
+    stream.next_in = stored.Data() + result.used;
+    stream.avail_in = SmallCount(stored.Size() - result.used);
     stream.next_out = window.data();
     stream.avail_out = static_cast<unsigned>(room);
     const unsigned offered = stream.avail_in;
     const int status = inflate(&stream, Z_NO_FLUSH);
-    position += offered - stream.avail_in;
+    result.used += offered - stream.avail_in;
     result.bytes.insert(result.bytes.end(), window.data(), stream.next_out);
-    result.offsets.Add(result.bytes.size(), position);
+    result.offsets.Add(result.bytes.size(), result.used);
     if (status == Z_STREAM_END)
     {
       return this->NextMember();
@@ -103,13 +163,14 @@ private:
   // Gzip files may be joined end to end.
   bool NextMember()
   {
-    if (DetectStream(stored.Sub(position)) == StreamFormat::Gzip)
+    if (DetectStream(stored.Sub(result.used)) == StreamFormat::Gzip)
     {
       const bool paid = budget.Spend(DecodingBudget::StreamCost);
       result.problem = paid ? result.problem : budget.Explain();
-      return paid && inflateReset(&stream) == Z_OK;
+      stream.Restart();
+      return paid;
     }
-    const ByteView rest = stored.Sub(position);
+    const ByteView rest = stored.Sub(result.used);
     if (std::any_of(rest.Data(), rest.Data() + rest.Size(), [](auto byte) { return byte != 0; }))
     {
       result.problem = std::to_string(rest.Size()) + " bytes after the end of the gzip stream";
@@ -121,8 +182,7 @@ private:
   std::size_t maximum;
   DecodingBudget& budget;
   std::vector<std::uint8_t> window;
-  z_stream stream{};
-  std::size_t position = 0;
+  GzipStream stream;
   Unpacked result;
 };
 
@@ -131,14 +191,12 @@ Unpacked UnpackBzip2(ByteView stored, std::size_t maximumBytes)
 {
   Unpacked result;
   Bzip2Reader reader; // one for all: a file may hold a stream every fourteen bytes
-  std::size_t position = 0;
-  while (result.problem.empty() && stored.StartsWith("BZh", position))
+  while (result.problem.empty() && stored.StartsWith("BZh", result.used))
   {
-    Bunzipped part = reader.Run(stored.Sub(position), maximumBytes - result.bytes.size());
-    result.offsets.Append(part.offsets, result.bytes.size(), position);
-    position += part.used;
+    Unpacked part = reader.Run(stored.Sub(result.used), maximumBytes - result.bytes.size());
+    result.offsets.Append(part.offsets, result.bytes.size(), result.used);
+    result.used += part.used;
     result.problem = part.problem;
-    result.problemOffset = position;
     if (result.bytes.empty())
     {
       result.bytes = std::move(part.bytes);
@@ -148,30 +206,15 @@ Unpacked UnpackBzip2(ByteView stored, std::size_t maximumBytes)
       result.bytes.insert(result.bytes.end(), part.bytes.begin(), part.bytes.end());
     }
   }
-  if (result.problem.empty() && position < stored.Size())
+  if (result.problem.empty() && result.used < stored.Size())
   {
     result.problem =
-      std::to_string(stored.Size() - position) + " bytes after the end of the bzip2 stream";
-    result.problemOffset = position;
+      std::to_string(stored.Size() - result.used) + " bytes after the end of the bzip2 stream";
   }
   return result;
 }
 
-Unpacked Unpack(
-  StreamFormat format, ByteView stored, std::size_t maximumBytes, DecodingBudget& budget)
-{
-  switch (format)
-  {
-  case StreamFormat::Gzip:
-    return GzipReader(stored, maximumBytes, budget).Run();
-  case StreamFormat::Bzip2:
-    return UnpackBzip2(stored, maximumBytes);
-  default:
-    return Unlzw(stored, maximumBytes);
-  }
-}
-
-// The same, paid from the budget. A third of it stays for what is made of the bytes.
+// Decompresses what the budget pays for. A third of it stays for what is made of the bytes.
 Unpacked UnpackWithin(StreamFormat format, ByteView stored, DecodingBudget& budget)
 {
   Unpacked result;
@@ -180,7 +223,10 @@ Unpacked UnpackWithin(StreamFormat format, ByteView stored, DecodingBudget& budg
     result.problem = budget.Explain();
     return result;
   }
-  result = Unpack(format, stored, budget.Left() - budget.Left() / 3, budget);
+  const std::size_t most = budget.Left() - budget.Left() / 3;
+  result = format == StreamFormat::Gzip    ? GzipReader(stored, most, budget).Run()
+           : format == StreamFormat::Bzip2 ? UnpackBzip2(stored, most)
+                                           : Unlzw(stored, most);
   budget.Spend(result.bytes.size());
   return result;
 }
@@ -201,11 +247,6 @@ std::string ExplainBzip2(int status)
 }
 
 } // namespace
-
-std::string TooLarge(std::uint64_t maximumBytes)
-{
-  return "more than " + std::to_string(maximumBytes) + " bytes when decompressed; the rest is left";
-}
 
 StreamFormat DetectStream(ByteView bytes)
 {
@@ -229,25 +270,17 @@ std::size_t Bzip2Reader::Room(std::size_t used, std::size_t maximumBytes)
   return std::min({output.size(), maximumBytes, used + largestStepBytes}) - used;
 }
 
-Bunzipped Bzip2Reader::Run(ByteView stored, std::size_t maximumBytes)
+Unpacked Bzip2Reader::Run(ByteView stored, std::size_t maximumBytes)
 {
-  Bunzipped result;
-  if (const std::optional<std::size_t> used = fast.Run(stored, maximumBytes))
-  {
-    result.bytes.assign(fast.Output().begin(), fast.Output().end());
-    result.offsets = fast.Offsets();
-    result.used = *used;
-    return result;
-  }
-  return this->RunSlowly(stored, maximumBytes);
+  std::optional<Unpacked> whole = fast.Run(stored, maximumBytes);
+  return whole ? std::move(*whole) : this->RunSlowly(stored, maximumBytes);
 }
 
 // By libbz2: gets out what can be had of a damaged stream, and says what is wrong with it.
-Bunzipped Bzip2Reader::RunSlowly(ByteView stored, std::size_t maximumBytes)
+Unpacked Bzip2Reader::RunSlowly(ByteView stored, std::size_t maximumBytes)
 {
-  Bunzipped result;
-  bz_stream stream{};
-  BZ2_bzDecompressInit(&stream, 0, 0);
+  Unpacked result;
+  Bzip2Stream stream;
   result.offsets.Add(0, 0);
   std::size_t used = 0;
   int status = BZ_OK;
@@ -272,7 +305,6 @@ Bunzipped Bzip2Reader::RunSlowly(ByteView stored, std::size_t maximumBytes)
     result.offsets.Add(used, result.used);
     starved = stream.avail_in == 0 && stream.avail_out != 0;
   }
-  BZ2_bzDecompressEnd(&stream);
   if (status != BZ_STREAM_END && result.problem.empty())
   {
     result.problem = ExplainBzip2(status);
@@ -297,13 +329,102 @@ PlainFile OpenContainer(
     Unpacked inner = UnpackWithin(format, view, budget);
     if (!inner.problem.empty())
     {
-      damage.push_back({file.offsets.ToStored(inner.problemOffset), inner.problem});
+      damage.push_back({file.offsets.ToStored(inner.used), inner.problem});
     }
     inner.offsets.ComposeWith(file.offsets);
     file.offsets = std::move(inner.offsets);
     file.bytes = std::move(inner.bytes);
   }
   return file;
+}
+
+namespace
+{
+
+template <typename Stream>
+std::string UnpackStreams(
+  const PieceReader& read, const PieceReceiver& receive, std::uint64_t maximumBytes)
+{
+  const std::string name = std::string("the ") + Stream::name + " stream ";
+  Stream stream;
+  std::vector<std::uint8_t> stored(windowBytes);
+  std::vector<std::uint8_t> plain(windowBytes);
+  std::size_t begin = 0; // of what is left in `stored`
+  std::size_t end = 0;
+  std::uint64_t room = maximumBytes;
+  bool ended = false; // the stream in hand; another may follow
+  while (true)
+  {
+    if (begin == end)
+    {
+      begin = 0;
+      end = read(stored.data(), stored.size());
+    }
+    const bool isAtEnd = begin == end;
+    if (ended)
+    {
+      if (isAtEnd || stored[begin] != Stream::firstByte)
+      {
+        return {}; // what fills up a tape after the last stream is no data
+      }
+      stream.Restart();
+    }
+    stream.next_in = reinterpret_cast<decltype(stream.next_in)>(stored.data() + begin);
+    stream.avail_in = static_cast<unsigned>(end - begin);
+    stream.next_out = reinterpret_cast<decltype(stream.next_out)>(plain.data());
+    stream.avail_out = static_cast<unsigned>(plain.size());
+    const StepResult result = stream.Step();
+    begin = end - stream.avail_in;
+    const std::size_t made = plain.size() - stream.avail_out;
+    receive(plain.data(), std::min<std::uint64_t>(made, room));
+    if (made > room)
+    {
+      return TooLarge(maximumBytes);
+    }
+    room -= made;
+    if (result == StepResult::Corrupt)
+    {
+      return name + "is corrupt";
+    }
+    ended = result == StepResult::End;
+    if (!ended && isAtEnd && made == 0)
+    {
+      return name + "ends early";
+    }
+  }
+}
+
+std::string UnpackCompress(
+  const PieceReader& read, const PieceReceiver& receive, std::uint64_t maximumBytes)
+{
+  std::vector<std::uint8_t> stored;
+  std::vector<std::uint8_t> piece(windowBytes);
+  while (const std::size_t count = read(piece.data(), piece.size()))
+  {
+    stored.insert(stored.end(), piece.begin(), piece.begin() + static_cast<std::ptrdiff_t>(count));
+  }
+  const Unpacked plain = Unlzw(ByteView(stored.data(), stored.size()), maximumBytes);
+  receive(plain.bytes.data(), plain.bytes.size());
+  return plain.problem;
+}
+
+} // namespace
+
+std::string UnpackInPieces(StreamFormat format, const PieceReader& read,
+  const PieceReceiver& receive, std::uint64_t maximumBytes)
+{
+  switch (format)
+  {
+  case StreamFormat::Gzip:
+    return UnpackStreams<GzipStream>(read, receive, maximumBytes);
+  case StreamFormat::Bzip2:
+    return UnpackStreams<Bzip2Stream>(read, receive, maximumBytes);
+  case StreamFormat::Compress:
+    return UnpackCompress(read, receive, maximumBytes);
+  case StreamFormat::None:
+    break;
+  }
+  return "the file is not compressed";
 }
 
 } // namespace nexrad

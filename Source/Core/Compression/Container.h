@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,28 +28,16 @@ enum class StreamFormat
 /// The format that the first bytes announce.
 StreamFormat DetectStream(ByteView bytes);
 
-/// The problem of a stream that holds more than it may.
-std::string TooLarge(std::uint64_t maximumBytes);
-
-/// What bzip2 made of some compressed bytes.
-struct Bunzipped
-{
-  std::vector<std::uint8_t> bytes; ///< what came out before the problem, if there was one
-  OffsetMap offsets;               ///< from `bytes` to the compressed stream
-  std::string problem;             ///< one line; empty when the stream was whole
-  std::size_t used = 0;            ///< bytes of the input that belong to the stream
-};
-
 /// Decompresses bzip2 streams one after another. The memory that they come out into is kept between
 /// them, so that each result is allocated once, in its size.
 class Bzip2Reader
 {
 public:
   /// Decompresses one stream, step by step, to at most `maximumBytes`.
-  Bunzipped Run(ByteView stored, std::size_t maximumBytes);
+  Unpacked Run(ByteView stored, std::size_t maximumBytes);
 
 private:
-  Bunzipped RunSlowly(ByteView stored, std::size_t maximumBytes);
+  Unpacked RunSlowly(ByteView stored, std::size_t maximumBytes);
   std::size_t Room(std::size_t used, std::size_t maximumBytes);
 
   FastBunzip fast;
@@ -67,5 +56,18 @@ struct PlainFile
 /// bytes come out; they, and the bytes that they come out of, are paid from the budget.
 PlainFile OpenContainer(
   std::vector<std::uint8_t> stored, DecodingBudget& budget, std::vector<Damage>& damage);
+
+/// Fills the target with the next stored bytes, at most `size`, and returns their number: 0 at the
+/// end.
+using PieceReader = std::function<std::size_t(std::uint8_t* target, std::size_t size)>;
+
+/// Takes the next decompressed bytes.
+using PieceReceiver = std::function<void(const std::uint8_t* data, std::size_t size)>;
+
+/// Decompresses a stream, or streams of one format end to end, in pieces of 64 KiB: for files that
+/// are too large for memory. Only a stream of compress is read as a whole first. Stops after
+/// `maximumBytes`. Returns what is wrong with the stream in one line; "" when it is whole.
+std::string UnpackInPieces(StreamFormat format, const PieceReader& read,
+  const PieceReceiver& receive, std::uint64_t maximumBytes);
 
 } // namespace nexrad

@@ -15,12 +15,6 @@ namespace nexrad
 /// Takes one piece of damage as it is found, so that whoever finds it keeps no list.
 using DamageReceiver = std::function<void(std::size_t offset, const std::string& what)>;
 
-/// A receiver that keeps all in a list, which must outlive it.
-inline DamageReceiver KeepIn(std::vector<Damage>& list)
-{
-  return [&list](std::size_t offset, const std::string& what) { list.push_back({offset, what}); };
-}
-
 /// Gathers what is wrong in a file, and keeps the list readable: equal damage one after the other
 /// is one entry with a count, and after a thousand entries only the number of places is kept.
 class DamageList

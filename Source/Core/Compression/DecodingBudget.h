@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 
@@ -28,17 +29,34 @@ public:
   static constexpr std::size_t JudgedGateCost = 3; ///< of reflectivity or velocity, beside its word
   static constexpr std::size_t DamageCost = 512;
 
-  /// A budget of `free` and what stored bytes bring, at most of `most`.
-  explicit DecodingBudget(std::size_t most, std::size_t free = FreeBytes);
+  /// A budget of `free` and what stored bytes bring, at most of `theMost`.
+  explicit DecodingBudget(std::size_t theMost, std::size_t free = FreeBytes)
+    : most(theMost)
+    , granted(std::min(theMost, free))
+  {
+  }
 
   /// Bytes of a stored file that is going to be decoded.
-  void AddStored(std::size_t bytes);
+  void AddStored(std::size_t bytes)
+  {
+    const std::size_t room = most - granted;
+    granted += bytes < room / BytesForStored ? bytes * BytesForStored : room;
+  }
   /// Takes a cost off. When less than that is left, returns false and takes off what is left.
-  bool Spend(std::size_t cost);
+  bool Spend(std::size_t cost)
+  {
+    const bool fits = cost <= this->Left();
+    spent = fits ? spent + cost : granted;
+    return fits;
+  }
 
   std::size_t Left() const { return granted - spent; }
   /// Why something was left out: one line without the place.
-  std::string Explain() const;
+  std::string Explain() const
+  {
+    return "decoding takes more than " + std::to_string(granted) +
+           " bytes of memory, the most for a file of this size; the rest is left";
+  }
 
 private:
   std::size_t most;

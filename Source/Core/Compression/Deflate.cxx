@@ -20,14 +20,18 @@ namespace
 // zlib counts in 32 bits.
 constexpr std::size_t largestPiece = std::size_t(1) << 30;
 constexpr std::size_t outputSize = 64 * 1024;
+// Bits of the window, as zlib takes them: with its own header and check sum, with those of gzip,
+// and without.
+constexpr int zlibStream = 15;
+constexpr int gzipStream = 15 + 16;
+constexpr int bareStream = -15;
 
 struct Deflater
 {
   z_stream state{};
 
-  explicit Deflater(DeflateSearch search)
+  explicit Deflater(DeflateSearch search, int windowBits = zlibStream)
   {
-    constexpr int windowBits = 15;
     constexpr int memoryLevel = 8;
     const int strategy = search == DeflateSearch::Runs ? Z_RLE : Z_DEFAULT_STRATEGY;
     if (deflateInit2(
@@ -86,8 +90,6 @@ struct Inflating
   Inflating& operator=(const Inflating&) = delete;
 };
 
-constexpr int zlibStream = 15;  // window bits, with zlib's header and check sum
-constexpr int bareStream = -15; // without
 constexpr std::size_t zlibHeaderSize = 2;
 constexpr std::size_t zlibCheckSumSize = 4;
 
@@ -165,6 +167,14 @@ std::vector<std::uint8_t> DeflateBytes(
   const std::uint8_t* data, std::size_t size, DeflateSearch search)
 {
   Deflater deflater(search);
+  std::vector<std::uint8_t> stream;
+  Deflate(deflater, data, size, Z_FINISH, stream);
+  return stream;
+}
+
+std::vector<std::uint8_t> GzipBytes(const std::uint8_t* data, std::size_t size)
+{
+  Deflater deflater(DeflateSearch::Repeats, gzipStream);
   std::vector<std::uint8_t> stream;
   Deflate(deflater, data, size, Z_FINISH, stream);
   return stream;

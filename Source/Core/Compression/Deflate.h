@@ -22,6 +22,9 @@ enum class DeflateSearch
 std::vector<std::uint8_t> DeflateBytes(
   const std::uint8_t* data, std::size_t size, DeflateSearch search = DeflateSearch::Repeats);
 
+/// Compresses bytes into one gzip stream (RFC 1952).
+std::vector<std::uint8_t> GzipBytes(const std::uint8_t* data, std::size_t size);
+
 /// A zlib stream in pieces that can be decompressed each for itself.
 struct DeflatedPieces
 {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstring>
 #include <utility>
+#include <vector>
 
 namespace nexrad
 {
@@ -457,52 +458,48 @@ struct FastBunzip::Memory
   std::vector<std::uint8_t> output;
   OffsetMap offsets;
 
-  void Begin(std::size_t blockBytes);
-  void ReadBlock(BitReader& bits, std::uint32_t expected, std::size_t maximumBytes);
+  void Begin(std::size_t blockBytes)
+  {
+    largestBlock = blockBytes;
+    if (column.size() < blockBytes)
+    {
+      column.resize(blockBytes);
+      links.resize(blockBytes);
+      text.resize(blockBytes);
+    }
+    output.clear();
+    offsets = OffsetMap();
+    offsets.Add(0, 0);
+  }
+
+  // `expected` is the checksum of the block.
+  void ReadBlock(BitReader& bits, std::uint32_t expected, std::size_t maximumBytes)
+  {
+    static const Checksum checksum;
+    const bool randomised = bits.Take(1) != 0;
+    const std::uint32_t origin = bits.Take(24);
+    if (randomised)
+    {
+      Refuse();
+    }
+    ReadCodes(bits, codes);
+    std::array<std::uint32_t, 256> counts;
+    const std::size_t size = ReadColumn(bits, codes, largestBlock, column, counts);
+    if (origin >= size || bits.Overrun())
+    {
+      Refuse();
+    }
+    MakeLinks(column, size, counts, links);
+    Walk(links, origin, size, text);
+    const std::size_t before = output.size();
+    ExpandRuns(text, size, maximumBytes, output);
+    if (checksum.Of(output.data() + before, output.size() - before) != expected)
+    {
+      Refuse();
+    }
+    offsets.Add(output.size(), bits.Position());
+  }
 };
-
-void FastBunzip::Memory::Begin(std::size_t blockBytes)
-{
-  largestBlock = blockBytes;
-  if (column.size() < blockBytes)
-  {
-    column.resize(blockBytes);
-    links.resize(blockBytes);
-    text.resize(blockBytes);
-  }
-  output.clear();
-  offsets = OffsetMap();
-  offsets.Add(0, 0);
-}
-
-// `expected` is the checksum of the block.
-void FastBunzip::Memory::ReadBlock(
-  BitReader& bits, std::uint32_t expected, std::size_t maximumBytes)
-{
-  static const Checksum checksum;
-  const bool randomised = bits.Take(1) != 0;
-  const std::uint32_t origin = bits.Take(24);
-  if (randomised)
-  {
-    Refuse();
-  }
-  ReadCodes(bits, codes);
-  std::array<std::uint32_t, 256> counts;
-  const std::size_t size = ReadColumn(bits, codes, largestBlock, column, counts);
-  if (origin >= size || bits.Overrun())
-  {
-    Refuse();
-  }
-  MakeLinks(column, size, counts, links);
-  Walk(links, origin, size, text);
-  const std::size_t before = output.size();
-  ExpandRuns(text, size, maximumBytes, output);
-  if (checksum.Of(output.data() + before, output.size() - before) != expected)
-  {
-    Refuse();
-  }
-  offsets.Add(output.size(), bits.Position());
-}
 
 FastBunzip::FastBunzip()
   : memory(std::make_unique<Memory>())
@@ -511,17 +508,7 @@ FastBunzip::FastBunzip()
 
 FastBunzip::~FastBunzip() = default;
 
-const std::vector<std::uint8_t>& FastBunzip::Output() const
-{
-  return memory->output;
-}
-
-const OffsetMap& FastBunzip::Offsets() const
-{
-  return memory->offsets;
-}
-
-std::optional<std::size_t> FastBunzip::Run(ByteView stored, std::size_t maximumBytes)
+std::optional<Unpacked> FastBunzip::Run(ByteView stored, std::size_t maximumBytes)
 {
   try
   {
@@ -540,8 +527,12 @@ std::optional<std::size_t> FastBunzip::Run(ByteView stored, std::size_t maximumB
       const std::uint32_t checksum = bits.Take(32);
       if (mark == endMark)
       {
-        const bool whole = checksum == combined && !bits.Overrun();
-        return whole ? std::optional(bits.Position()) : std::nullopt;
+        if (checksum != combined || bits.Overrun())
+        {
+          return std::nullopt;
+        }
+        const std::vector<std::uint8_t>& bytes = memory->output;
+        return Unpacked{{bytes.begin(), bytes.end()}, memory->offsets, "", bits.Position()};
       }
       if (mark != blockMark)
       {

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <vector>
 
 namespace nexrad
 {
@@ -31,14 +30,10 @@ public:
   FastBunzip(const FastBunzip&) = delete;
   FastBunzip& operator=(const FastBunzip&) = delete;
 
-  /// Decompresses one stream to at most `maximumBytes`. Bytes of the input that belong to it; empty
-  /// when the stream is not whole and correct, is longer than that, or has what no compressor
-  /// writes: randomised blocks (none has for long), and lengths of codes that cannot all be.
-  std::optional<std::size_t> Run(ByteView stored, std::size_t maximumBytes);
-
-  /// What came out of the last stream, and where its blocks end in the input.
-  const std::vector<std::uint8_t>& Output() const;
-  const OffsetMap& Offsets() const;
+  /// Decompresses one stream to at most `maximumBytes`. Empty when the stream is not whole and
+  /// correct, is longer than that, or has what no compressor writes: randomised blocks (none has
+  /// for long), and lengths of codes that cannot all be.
+  std::optional<Unpacked> Run(ByteView stored, std::size_t maximumBytes);
 
 private:
   struct Memory;

@@ -37,71 +37,25 @@ std::size_t SizeWithoutPadding(ByteView bytes)
   return size;
 }
 
-// Walks over records once; each step costs no more than the bytes that it passes.
-class RecordFinder
+// Bytes of the stream of the record at `position`. `used`: bytes before the padding at the end.
+std::size_t LengthAt(
+  ByteView bytes, std::size_t position, std::size_t used, const DamageReceiver& report)
 {
-public:
-  RecordFinder(ByteView allBytes, const DamageReceiver& receiver)
-    : bytes(allBytes)
-    , used(SizeWithoutPadding(allBytes))
-    , report(receiver)
+  const auto stated = static_cast<std::size_t>(std::abs(std::int64_t(bytes.I32(position))));
+  const std::size_t stream = position + lengthBytes;
+  // A record follows, or nothing, or padding.
+  const bool isRight = stated > 0 && bytes.Has(stream, stated) &&
+                       (IsLdmRecord(bytes, stream + stated) || stream + stated >= used);
+  if (isRight)
   {
+    return stated;
   }
-
-  std::vector<LdmRecord> FindFrom(std::size_t position)
-  {
-    std::vector<LdmRecord> records;
-    while (position < used)
-    {
-      if (!IsLdmRecord(bytes, position))
-      {
-        const std::size_t next = FindLdmRecord(bytes, position + 1);
-        report(position, std::to_string(next - position) + " bytes that are no compressed record");
-        position = next;
-        continue;
-      }
-      if (records.size() == MostLdmRecords)
-      {
-        report(position,
-          "more than " + std::to_string(MostLdmRecords) + " compressed records; the rest is left");
-        break;
-      }
-      const std::size_t stream = position + lengthBytes;
-      const std::size_t length = this->LengthAt(position);
-      records.push_back({position, bytes.Sub(stream, length)});
-      position = stream + length;
-    }
-    return records;
-  }
-
-private:
-  // Bytes of the stream of the record at `position`.
-  std::size_t LengthAt(std::size_t position) const
-  {
-    const std::int64_t stated = std::abs(std::int64_t(bytes.I32(position)));
-    const std::size_t stream = position + lengthBytes;
-    if (this->IsRecordEnd(stream, static_cast<std::size_t>(stated)))
-    {
-      return static_cast<std::size_t>(stated);
-    }
-    // The stream knows its own end; all bytes up to the next record may belong to it.
-    const std::size_t length = FindLdmRecord(bytes, stream) - stream;
-    report(position, "the record says that it is " + std::to_string(stated) + " bytes long, but " +
-                       std::to_string(length) + " bytes are there");
-    return length;
-  }
-
-  // True when a stream of that length is followed by a record, by nothing, or by padding.
-  bool IsRecordEnd(std::size_t stream, std::size_t length) const
-  {
-    return length > 0 && bytes.Has(stream, length) &&
-           (IsLdmRecord(bytes, stream + length) || stream + length >= used);
-  }
-
-  ByteView bytes;
-  std::size_t used; // bytes before the padding at the end
-  const DamageReceiver& report;
-};
+  // The stream knows its own end; all bytes up to the next record may belong to it.
+  const std::size_t length = FindLdmRecord(bytes, stream) - stream;
+  report(position, "the record says that it is " + std::to_string(stated) + " bytes long, but " +
+                     std::to_string(length) + " bytes are there");
+  return length;
+}
 
 } // namespace
 
@@ -138,14 +92,36 @@ std::size_t FindLdmRecord(ByteView bytes, std::size_t from)
 std::vector<LdmRecord> FindLdmRecords(
   ByteView bytes, std::size_t start, const DamageReceiver& report)
 {
-  return RecordFinder(bytes, report).FindFrom(start);
+  // Each step costs no more than the bytes that it passes.
+  const std::size_t used = SizeWithoutPadding(bytes);
+  std::vector<LdmRecord> records;
+  for (std::size_t position = start; position < used;)
+  {
+    if (!IsLdmRecord(bytes, position))
+    {
+      const std::size_t next = FindLdmRecord(bytes, position + 1);
+      report(position, std::to_string(next - position) + " bytes that are no compressed record");
+      position = next;
+      continue;
+    }
+    if (records.size() == MostLdmRecords)
+    {
+      report(position,
+        "more than " + std::to_string(MostLdmRecords) + " compressed records; the rest is left");
+      break;
+    }
+    const std::size_t length = LengthAt(bytes, position, used, report);
+    records.push_back({position, bytes.Sub(position + lengthBytes, length)});
+    position += lengthBytes + length;
+  }
+  return records;
 }
 
 namespace
 {
 
-// So many records decompress ahead of the one to be received: the receiver may stop because the
-// file is larger than its cap, and until then no more than these take memory.
+// So many records decompress ahead of the one to be received: the receiver may end the work because
+// the file is larger than its cap, and until then no more than these take memory.
 constexpr std::size_t recordsAhead = 16;
 // So much may come out of any record, and of a longer one as much as its stored bytes pay for:
 // those ahead take no more than a file may. Radars send records of 0.3 to 1.5 MB.
@@ -166,7 +142,15 @@ public:
     , maximumRecordBytes(maximumBytes)
   {
   }
-  ~RecordQueue() { this->Stop(); }
+  ~RecordQueue()
+  {
+    {
+      const std::lock_guard<std::mutex> lock(mutex);
+      stopped = true;
+      changed.notify_all();
+    }
+    threads.Join();
+  }
   RecordQueue(const RecordQueue&) = delete;
   RecordQueue& operator=(const RecordQueue&) = delete;
 
@@ -176,7 +160,7 @@ public:
   }
   // The content of the next record in order. While it is being made elsewhere, this thread makes
   // others.
-  Bunzipped Take()
+  Unpacked Take()
   {
     std::unique_lock<std::mutex> lock(mutex);
     while (!this->Place(received) && !failure)
@@ -194,8 +178,8 @@ public:
     {
       std::rethrow_exception(failure);
     }
-    std::optional<Bunzipped>& place = this->Place(received++);
-    Bunzipped content = std::move(*place);
+    std::optional<Unpacked>& place = this->Place(received++);
+    Unpacked content = std::move(*place);
     place.reset();
     changed.notify_all();
     return content;
@@ -203,7 +187,7 @@ public:
 
 private:
   // No more than those ahead are in memory, so their places are used in turn.
-  std::optional<Bunzipped>& Place(std::size_t index) { return contents[index % recordsAhead]; }
+  std::optional<Unpacked>& Place(std::size_t index) { return contents[index % recordsAhead]; }
   bool MayBegin() const { return next < std::min(records.size(), received + recordsAhead); }
 
   // Decompresses the next record without the lock.
@@ -211,7 +195,7 @@ private:
   {
     const std::size_t index = next++;
     lock.unlock();
-    Bunzipped content =
+    Unpacked content =
       reader.Run(records[index].compressed, MostBytesOf(records[index], maximumRecordBytes));
     lock.lock();
     this->Place(index) = std::move(content);
@@ -245,15 +229,6 @@ private:
       changed.notify_all();
     }
   }
-  void Stop()
-  {
-    {
-      const std::lock_guard<std::mutex> lock(mutex);
-      stopped = true;
-      changed.notify_all();
-    }
-    threads.Join();
-  }
 
   const std::vector<LdmRecord>& records;
   const std::size_t maximumRecordBytes;
@@ -261,7 +236,7 @@ private:
 
   std::mutex mutex; // guards all that follows but the threads
   std::condition_variable changed;
-  std::array<std::optional<Bunzipped>, recordsAhead> contents;
+  std::array<std::optional<Unpacked>, recordsAhead> contents;
   std::size_t next = 0;     // to be decompressed
   std::size_t received = 0; // all before have been handed over
   bool stopped = false;
@@ -279,10 +254,7 @@ void BunzipInParallel(const std::vector<LdmRecord>& records, std::size_t maximum
   queue.Start(std::min({wanted, records.size(), recordsAhead}) - (records.empty() ? 0 : 1));
   for (std::size_t index = 0; index < records.size(); ++index)
   {
-    if (!receive(index, queue.Take()))
-    {
-      return;
-    }
+    receive(index, queue.Take());
   }
 }
 

@@ -36,8 +36,8 @@ std::vector<LdmRecord> FindLdmRecords(
 /// records takes minutes.
 constexpr std::size_t MostLdmRecords = 100'000;
 
-/// Takes what a record holds; false to stop, and then no further record comes.
-using RecordReceiver = std::function<bool(std::size_t index, Bunzipped&& content)>;
+/// Takes what a record holds.
+using RecordReceiver = std::function<void(std::size_t index, Unpacked&& content)>;
 
 /// Decompresses records that do not depend on each other, on `threads` threads, this one among them
 /// (0: as many as the machine has cores), and hands them to `receive` on this thread, in their

@@ -130,6 +130,7 @@ public:
         this->Emit(code);
       }
     }
+    result.used = headerSize + reader.ByteOffset();
     return std::move(result);
   }
 
@@ -141,21 +142,17 @@ private:
       code < clearCode || (code < table.Free() && !(clears && code == clearCode));
     if (!defined && !(hasPrevious && code == table.Free()))
     {
-      this->Fail("code " + std::to_string(code) + " of the compress stream is not in its table");
+      result.problem =
+        "code " + std::to_string(code) + " of the compress stream is not in its table";
       return;
     }
-    if (defined)
+    const std::uint8_t first = table.Append(defined ? code : previous, result.bytes);
+    if (!defined)
     {
-      const std::uint8_t first = table.Append(code, result.bytes);
-      if (hasPrevious)
-      {
-        table.Add(previous, first);
-      }
-    }
-    else
-    {
-      const std::uint8_t first = table.Append(previous, result.bytes);
       result.bytes.push_back(first);
+    }
+    if (hasPrevious)
+    {
       table.Add(previous, first);
     }
     previous = code;
@@ -163,7 +160,8 @@ private:
     if (result.bytes.size() > maximum)
     {
       result.bytes.resize(maximum);
-      this->Fail("more than " + std::to_string(maximum) + " bytes when decompressed");
+      result.problem = "more than " + std::to_string(maximum) + " bytes when decompressed";
+      return;
     }
     if (table.Free() == 1U << reader.Width() && reader.Width() < maximumWidth)
     {
@@ -177,11 +175,6 @@ private:
       result.offsets.Add(result.bytes.size(), headerSize + reader.ByteOffset());
       nextCheckpoint = result.bytes.size() + checkpointDistance;
     }
-  }
-  void Fail(std::string what)
-  {
-    result.problem = std::move(what);
-    result.problemOffset = headerSize + reader.ByteOffset();
   }
 
   CodeReader reader;

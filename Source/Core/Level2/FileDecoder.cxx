@@ -2,11 +2,11 @@
 #include "nexrad/Level2/FileDecoder.h"
 
 #include "nexrad/Compression/LdmRecords.h"
-#include "nexrad/Level2/Messages/MetadataMessages.h"
-#include "nexrad/Level2/Messages/RadialMessages.h"
 #include "nexrad/Level2/Messages/VolumeHeader.h"
+#include "nexrad/System/MessageText.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -24,16 +24,35 @@ struct OverBudget
 
 } // namespace
 
-std::string FileCapText(const Level2Options& options)
+std::size_t RayCosts::Of(const DecodedRay& decoded, std::size_t newBytes)
 {
-  return "the file is larger than its cap of " + std::to_string(options.maximumFileBytes) +
-         " bytes; the rest is left";
+  std::size_t words = 0;
+  for (const MomentRow& row : decoded.ray.moments)
+  {
+    words += row.gates * std::size_t(row.wordBits) / 8;
+  }
+  return (words > newBytes ? words - newBytes : 0) +
+         DecodingBudget::JudgedGateCost * std::max(decoded.ray.Row(MomentName::REF).gates,
+                                            decoded.ray.Row(MomentName::VEL).gates) +
+         (this->MayBeginSweep(decoded.ray) ? DecodingBudget::SweepCost : 0) +
+         DecodingBudget::DamageCost * decoded.problems.size();
 }
 
-FileDecoder::FileDecoder(VolumeAssembler& target, const Level2Options& options)
+bool RayCosts::MayBeginSweep(const Ray& ray)
+{
+  constexpr double longestTurn = 360.0; // less than that of a sweep
+  turned += std::abs(std::remainder(static_cast<double>(ray.azimuth) - azimuth, 360.0));
+  azimuth = static_cast<double>(ray.azimuth);
+  const bool begins =
+    ray.elevationNumber != elevationNumber || StartsCut(ray) || turned > longestTurn;
+  elevationNumber = ray.elevationNumber;
+  turned = begins ? 0.0 : turned;
+  return begins;
+}
+
+FileDecoder::FileDecoder(VolumeAssembler& target, const Level2Options& theOptions)
   : assembler(target)
-  , maximumRecordBytes(options.maximumRecordBytes)
-  , threads(options.threads)
+  , options(theOptions)
   , budget(options.maximumFileBytes, options.freeBytes)
 {
 }
@@ -55,6 +74,12 @@ void FileDecoder::AddDamage(std::uint64_t storedOffset, const std::string& what)
 
 void FileDecoder::Decode(std::vector<std::uint8_t> stored)
 {
+  if (stored.size() >= options.maximumFileBytes)
+  {
+    assembler.AddDamage(stored.size(), "the file is larger than its cap of " +
+                                         std::to_string(options.maximumFileBytes) +
+                                         " bytes; the rest is left");
+  }
   if (stored.empty())
   {
     assembler.AddDamage(0, "the file is empty");
@@ -104,7 +129,7 @@ void FileDecoder::DecodeRecords(ByteView plain, std::size_t start, const OffsetM
   const std::vector<LdmRecord> records = FindLdmRecords(plain, start,
     [&](std::size_t offset, const std::string& what)
     { this->AddDamage(offsets.ToStored(offset), what); });
-  const auto receive = [&](std::size_t index, Bunzipped&& content)
+  const auto receive = [&](std::size_t index, Unpacked&& content)
   {
     const std::uint64_t offset = offsets.ToStored(records[index].offset);
     const std::size_t compressed = records[index].compressed.Size();
@@ -112,12 +137,11 @@ void FileDecoder::DecodeRecords(ByteView plain, std::size_t start, const OffsetM
                   content.bytes.size(),
       offset);
     this->DecodeRecord(std::move(content), offset);
-    return true;
   };
-  BunzipInParallel(records, maximumRecordBytes, receive, threads);
+  BunzipInParallel(records, options.maximumRecordBytes, receive, options.threads);
 }
 
-void FileDecoder::DecodeRecord(Bunzipped&& content, std::uint64_t storedOffset)
+void FileDecoder::DecodeRecord(Unpacked&& content, std::uint64_t storedOffset)
 {
   if (!content.problem.empty())
   {
@@ -137,31 +161,21 @@ void FileDecoder::DecodeMessages(
   MessageStream& stream, const Buffer& buffer, const OffsetFinder& storedOffset)
 {
   const std::size_t before = assembler.RayCount();
-  const auto keepBytesOfRays = [&]
+  bool isKept = false;
+  const std::uint8_t* farthest = buffer->data(); // a message may be found within the one before
+  while (const auto message = stream.Next())
   {
-    if (assembler.RayCount() > before)
+    const std::uint8_t* end = message->body.Data() + message->body.Size();
+    const auto beyond = static_cast<std::size_t>(std::max(end, farthest) - farthest);
+    this->DecodeMessage(
+      *message, std::min(beyond, message->body.Size()), storedOffset(message->offset));
+    farthest = std::max(end, farthest);
+    if (!isKept && assembler.RayCount() > before)
     {
       assembler.AddBuffer(buffer);
-    }
-  };
-  try
-  {
-    const std::uint8_t* farthest = buffer->data(); // a message may be found within the one before
-    while (const auto message = stream.Next())
-    {
-      const std::uint8_t* end = message->body.Data() + message->body.Size();
-      const auto beyond = static_cast<std::size_t>(std::max(end, farthest) - farthest);
-      this->DecodeMessage(
-        *message, std::min(beyond, message->body.Size()), storedOffset(message->offset));
-      farthest = std::max(end, farthest);
+      isKept = true;
     }
   }
-  catch (const OverBudget&)
-  {
-    keepBytesOfRays();
-    throw;
-  }
-  keepBytesOfRays();
 }
 
 // `newBytes`: of the message, those that no message before has.
@@ -194,7 +208,7 @@ void FileDecoder::DecodeMessage(
     }
     break;
   case SyntheticMarkMessageType:
-    if (IsSyntheticMark(message.type, message.body.Data(), message.body.Size()))
+    if (IsSyntheticMark(message.body))
     {
       assembler.AddSyntheticMark();
     }
@@ -230,8 +244,7 @@ void FileDecoder::DecodeRay(
 }
 
 ChunkDecoder::ChunkDecoder(const Level2Options& theOptions)
-  : options(theOptions)
-  , assembler(theOptions)
+  : assembler(theOptions)
   , decoder(assembler, theOptions)
 {
 }
@@ -241,9 +254,8 @@ void ChunkDecoder::Begin(int number, const std::string& name)
   assembler.BeginPiece(name);
   if (number > expected)
   {
-    const int missing = number - expected;
-    assembler.AddDamage(0,
-      std::to_string(missing) + (missing == 1 ? " chunk" : " chunks") + " missing before this one");
+    const auto missing = static_cast<std::size_t>(number - expected);
+    assembler.AddDamage(0, CountText(missing, "chunk") + " missing before this one");
   }
   expected = number + 1;
 }
@@ -257,10 +269,6 @@ void ChunkDecoder::AddOther(const std::string& name)
 void ChunkDecoder::Decode(std::vector<std::uint8_t> stored)
 {
   size = stored.size();
-  if (stored.size() >= options.maximumFileBytes)
-  {
-    assembler.AddDamage(stored.size(), FileCapText(options));
-  }
   decoder.Decode(std::move(stored));
 }
 

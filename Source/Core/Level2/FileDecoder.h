@@ -6,7 +6,7 @@
 #include "nexrad/Compression/DecodingBudget.h"
 #include "nexrad/Compression/LdmRecords.h"
 #include "nexrad/Level2/Level2Options.h"
-#include "nexrad/Level2/Messages/DecodedRay.h"
+#include "nexrad/Level2/Messages/MessageBodies.h"
 #include "nexrad/Level2/Messages/MessageStream.h"
 #include "nexrad/Level2/VolumeAssembler.h"
 
@@ -19,8 +19,23 @@
 namespace nexrad
 {
 
-/// What the damage list says of a file that reaches the cap of Level2Options::maximumFileBytes.
-std::string FileCapText(const Level2Options& options);
+/// What rays cost of a DecodingBudget beside RayCost, told from a ray and the one decoded before.
+class RayCosts
+{
+public:
+  /// The cost of the next ray: that of a sweep where it can begin one; of its gates
+  /// that quality control or dealiasing judges; of its damage; and the bytes of its words that
+  /// exceed the `newBytes` of its message, because moments share them, or because they belong to
+  /// another message too.
+  std::size_t Of(const DecodedRay& decoded, std::size_t newBytes);
+
+private:
+  bool MayBeginSweep(const Ray& ray);
+
+  unsigned elevationNumber = 0; ///< of the ray before
+  double azimuth = 0.0;         ///< degrees, of the ray before
+  double turned = 0.0;          ///< degrees to and fro since the last sweep began, at least
+};
 
 /// Decodes files into an assembler: takes their containers off, cuts them into records and
 /// messages, and hands over what these hold. One decoder for all files of a folder: they share a
@@ -39,7 +54,7 @@ private:
 
   void DecodePlain(const Buffer& buffer, const OffsetMap& offsets);
   void DecodeRecords(ByteView plain, std::size_t start, const OffsetMap& offsets);
-  void DecodeRecord(Bunzipped&& content, std::uint64_t storedOffset);
+  void DecodeRecord(Unpacked&& content, std::uint64_t storedOffset);
   void DecodeMessages(
     MessageStream& stream, const Buffer& buffer, const OffsetFinder& storedOffset);
   void DecodeMessage(const Message& message, std::size_t newBytes, std::uint64_t storedOffset);
@@ -48,8 +63,7 @@ private:
   void Spend(std::size_t cost, std::uint64_t storedOffset);
 
   VolumeAssembler& assembler;
-  std::size_t maximumRecordBytes;
-  unsigned threads; ///< that decompress records
+  Level2Options options;
   DecodingBudget budget;
   RayCosts rayCosts;
 };
@@ -75,7 +89,6 @@ public:
   RadarVolume VolumeSoFar(const std::string& name) const;
 
 private:
-  const Level2Options options;
   VolumeAssembler assembler;
   FileDecoder decoder;
   int expected = 1;       ///< number of the next chunk

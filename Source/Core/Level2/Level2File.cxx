@@ -5,18 +5,18 @@
 #include "nexrad/Archives/StoredFiles.h"
 #include "nexrad/Compression/Container.h"
 #include "nexrad/Compression/LdmRecords.h"
-#include "nexrad/Level2/ChunkFolder.h"
 #include "nexrad/Level2/FileDecoder.h"
 #include "nexrad/Level2/Messages/VolumeHeader.h"
 #include "nexrad/Level2/VolumeAssembler.h"
 #include "nexrad/System/Error.h"
-#include "nexrad/System/OrdinaryFile.h"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <string_view>
 #include <system_error>
+#include <tuple>
 
 namespace fs = std::filesystem;
 
@@ -25,24 +25,6 @@ namespace nexrad
 
 namespace
 {
-
-// Room for all of a file. Only a hint: a device has no size, and a file may grow.
-std::size_t LikelySize(const fs::path& path)
-{
-  std::error_code failure;
-  const std::uintmax_t size = fs::is_regular_file(path, failure) ? fs::file_size(path, failure) : 0;
-  return failure ? 0 : static_cast<std::size_t>(size);
-}
-
-void DecodeStored(std::vector<std::uint8_t>&& stored, const Level2Options& options,
-  VolumeAssembler& assembler, FileDecoder& decoder)
-{
-  if (stored.size() >= options.maximumFileBytes)
-  {
-    assembler.AddDamage(stored.size(), FileCapText(options));
-  }
-  decoder.Decode(std::move(stored));
-}
 
 RadarVolume ReadChunks(
   const fs::path& folder, const std::vector<Chunk>& chunks, const Level2Options& options)
@@ -111,7 +93,7 @@ std::vector<std::uint8_t> ReadStoredBytes(const fs::path& path, std::size_t cap)
   // A window stays in the processor's cache; a vector that grows would be filled with zeros first.
   std::vector<char> window(std::size_t(1) << 18);
   std::vector<std::uint8_t> bytes;
-  bytes.reserve(std::min(LikelySize(path), cap));
+  bytes.reserve(std::min(static_cast<std::size_t>(StoredSize(path)), cap)); // it may grow
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   while (file && bytes.size() < cap)
@@ -153,7 +135,7 @@ RadarVolume DecodeLevel2(
   VolumeAssembler assembler(options);
   FileDecoder decoder(assembler, options);
   const std::uint64_t size = bytes.size();
-  DecodeStored(std::move(bytes), options, assembler, decoder);
+  decoder.Decode(std::move(bytes));
   return assembler.Finish(name, size);
 }
 
@@ -187,6 +169,46 @@ std::optional<VolumeHeader> PeekVolumeHeader(const fs::path& path)
     2 * VolumeHeader::bytes + DecodingBudget::CompressedByteCost * start.size());
   const PlainFile plain = OpenContainer(std::move(start), budget, ignored);
   return ParseVolumeHeader(ByteView(plain.bytes.data(), plain.bytes.size()));
+}
+
+std::optional<Chunk> ParseChunkName(const fs::path& path)
+{
+  constexpr std::string_view pattern = "99999999-999999-999-"; // '9' stands for any digit
+  const std::string name = path.filename().string();
+  const auto matches = [](char wanted, char found)
+  { return wanted == '9' ? found >= '0' && found <= '9' : found == wanted; };
+  if (name.size() != pattern.size() + 1 ||
+      !std::equal(pattern.begin(), pattern.end(), name.begin(), matches) ||
+      std::string_view("SIE").find(name.back()) == std::string_view::npos)
+  {
+    return std::nullopt;
+  }
+  return Chunk{path, name.substr(0, 15), std::stoi(name.substr(16, 3)), name.back()};
+}
+
+std::vector<Chunk> ListChunks(const fs::path& folder)
+{
+  std::vector<Chunk> chunks;
+  std::error_code error;
+  for (const fs::path& entry : ListFolder(folder, error))
+  {
+    auto chunk = ParseChunkName(entry);
+    if (chunk && KindOf(entry) == StoredKind::File) // opening a pipe would wait for a writer
+    {
+      chunks.push_back(std::move(*chunk));
+    }
+  }
+  if (error)
+  {
+    throw Error(folder.string() + ": cannot read the folder: " + error.message());
+  }
+  std::sort(chunks.begin(), chunks.end(),
+    [](const Chunk& first, const Chunk& second)
+    {
+      return std::tie(first.volume, first.number, first.kind) <
+             std::tie(second.volume, second.number, second.kind);
+    });
+  return chunks;
 }
 
 } // namespace nexrad

@@ -124,31 +124,6 @@ std::string FindCodingFault(MomentName name, const MomentRow& row, const std::se
          ": left out";
 }
 
-void CheckCodings(
-  RadarVolume& volume, std::size_t index, MomentName name, const RayDamageReceiver& report)
-{
-  std::vector<Ray>& rays = volume.sweeps[index].rays;
-  std::map<Coding, std::size_t> counts;
-  for (const Ray& ray : rays)
-  {
-    if (ray.Row(name).gates > 0)
-    {
-      ++counts[CodingOf(ray.Row(name))];
-    }
-  }
-  const std::set<Coding> common = FindCommonCodings(counts);
-  for (std::size_t ray = 0; ray < rays.size(); ++ray)
-  {
-    MomentRow& row = rays[ray].Row(name);
-    const std::string fault = row.gates > 0 ? FindCodingFault(name, row, common) : "";
-    if (!fault.empty())
-    {
-      report(index, ray, fault);
-      row = MomentRow{};
-    }
-  }
-}
-
 using GateGeometry = std::pair<std::int32_t, std::int32_t>; // first gate and distance, m
 
 GateGeometry GeometryOf(const MomentRow& row)
@@ -156,28 +131,47 @@ GateGeometry GeometryOf(const MomentRow& row)
   return {row.firstGate, row.gateSpacing};
 }
 
-void CheckGeometries(
-  RadarVolume& volume, std::size_t index, MomentName name, const RayDamageReceiver& report)
+std::string FindGeometryFault(
+  MomentName name, const MomentRow& row, const std::set<GateGeometry>& common)
 {
-  std::vector<Ray>& rays = volume.sweeps[index].rays;
-  std::map<GateGeometry, std::size_t> counts;
-  for (const Ray& ray : rays)
+  return common.count(GeometryOf(row)) > 0
+           ? ""
+           : std::string(ToString(name)) +
+               " has its gates where few rays of its sweep have theirs: left out";
+}
+
+// Takes out the rows that have a fault, judged by what the rows of a moment in a sweep have in
+// common.
+template <class Property>
+void RemoveRows(RadarVolume& volume, const RayDamageReceiver& report,
+  Property (*propertyOf)(const MomentRow&),
+  std::set<Property> (*findCommon)(const std::map<Property, std::size_t>& counts),
+  std::string (*findFault)(MomentName, const MomentRow&, const std::set<Property>& common))
+{
+  for (std::size_t index = 0; index < volume.sweeps.size(); ++index)
   {
-    if (ray.Row(name).gates > 0)
+    std::vector<Ray>& rays = volume.sweeps[index].rays;
+    for (const MomentName name : AllMoments)
     {
-      ++counts[GeometryOf(ray.Row(name))];
-    }
-  }
-  const std::set<GateGeometry> common = FindCommon(counts);
-  for (std::size_t ray = 0; ray < rays.size(); ++ray)
-  {
-    MomentRow& row = rays[ray].Row(name);
-    if (row.gates > 0 && common.count(GeometryOf(row)) == 0)
-    {
-      report(index, ray,
-        std::string(ToString(name)) +
-          " has its gates where few rays of its sweep have theirs: left out");
-      row = MomentRow{};
+      std::map<Property, std::size_t> counts;
+      for (const Ray& ray : rays)
+      {
+        if (ray.Row(name).gates > 0)
+        {
+          ++counts[propertyOf(ray.Row(name))];
+        }
+      }
+      const std::set<Property> common = findCommon(counts);
+      for (std::size_t ray = 0; ray < rays.size(); ++ray)
+      {
+        MomentRow& row = rays[ray].Row(name);
+        const std::string fault = row.gates > 0 ? findFault(name, row, common) : "";
+        if (!fault.empty())
+        {
+          report(index, ray, fault);
+          row = MomentRow{};
+        }
+      }
     }
   }
 }
@@ -231,30 +225,6 @@ void CutSweep(
   }
 }
 
-} // namespace
-
-void RemoveStrayCodings(RadarVolume& volume, const RayDamageReceiver& report)
-{
-  for (std::size_t index = 0; index < volume.sweeps.size(); ++index)
-  {
-    for (const MomentName name : AllMoments)
-    {
-      CheckCodings(volume, index, name, report);
-    }
-  }
-}
-
-void RemoveStrayGeometries(RadarVolume& volume, const RayDamageReceiver& report)
-{
-  for (std::size_t index = 0; index < volume.sweeps.size(); ++index)
-  {
-    for (const MomentName name : AllMoments)
-    {
-      CheckGeometries(volume, index, name, report);
-    }
-  }
-}
-
 void CutWideRows(RadarVolume& volume, const RayDamageReceiver& report)
 {
   constexpr std::size_t alwaysAllowed = std::size_t(1) << 22;
@@ -280,6 +250,15 @@ void CutWideRows(RadarVolume& volume, const RayDamageReceiver& report)
       CutSweep(volume, index, name, report);
     }
   }
+}
+
+} // namespace
+
+void CheckMoments(RadarVolume& volume, const RayDamageReceiver& report)
+{
+  RemoveRows(volume, report, CodingOf, FindCommonCodings, FindCodingFault);
+  RemoveRows(volume, report, GeometryOf, FindCommon<GateGeometry>, FindGeometryFault);
+  CutWideRows(volume, report);
 }
 
 } // namespace nexrad

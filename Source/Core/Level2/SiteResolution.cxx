@@ -40,55 +40,45 @@ bool IsNear(const KnownSite& known, double latitude, double longitude)
 
 // Whether the rays are of another radar than the header says: they state its name, and its place
 // by the site table, where the header's radar is not.
-bool HeaderNamesOther(const SiteEvidence& evidence)
+bool HeaderNamesOther(const std::string& headerName, const RadarOfRays& ofRays)
 {
-  const KnownSite* ofRays = FindSite(evidence.rayName);
-  const KnownSite* ofHeader = FindSite(evidence.headerName);
-  if (ofRays == nullptr || ofHeader == nullptr || !evidence.position || ofRays == ofHeader)
+  const KnownSite* byRays = FindSite(ofRays.name);
+  const KnownSite* byHeader = FindSite(headerName);
+  if (byRays == nullptr || byHeader == nullptr || !ofRays.position || byRays == byHeader)
   {
     return false;
   }
-  const StoredPosition& stated = *evidence.position;
-  return IsNear(*ofRays, stated.latitude, stated.longitude) &&
-         !IsNear(*ofHeader, stated.latitude, stated.longitude);
+  const StoredPosition& stated = *ofRays.position;
+  return IsNear(*byRays, stated.latitude, stated.longitude) &&
+         !IsNear(*byHeader, stated.latitude, stated.longitude);
 }
 
-std::string ResolveName(
-  const SiteEvidence& evidence, const Level2Options& options, std::vector<std::string>& notes)
+std::string ResolveName(const std::string& headerName, const RadarOfRays& ofRays,
+  const Level2Options& options, RadarVolume& volume)
 {
   if (!options.siteName.empty())
   {
     return options.siteName;
   }
-  if (HeaderNamesOther(evidence))
+  if (HeaderNamesOther(headerName, ofRays))
   {
-    notes.push_back("the volume header names " + evidence.headerName + ", and the rays are of " +
-                    evidence.rayName + " and state its position: they count");
-    return evidence.rayName;
+    volume.notes.push_back("the volume header names " + headerName + ", and the rays are of " +
+                           ofRays.name + " and state its position: they count");
+    return ofRays.name;
   }
-  if (!evidence.headerName.empty())
+  if (!headerName.empty())
   {
-    return evidence.headerName;
+    return headerName;
   }
-  if (!evidence.rayName.empty())
+  if (!ofRays.name.empty())
   {
-    return evidence.rayName;
+    return ofRays.name;
   }
-  std::string name = FindNameInPath(evidence.path);
-  notes.push_back(name.empty() ? "the site has no name, neither in the file nor in the file's name"
-                               : "the site's name, " + name + ", is from the file's name");
+  std::string name = FindNameInPath(volume.file);
+  volume.notes.push_back(name.empty()
+                           ? "the site has no name, neither in the file nor in the file's name"
+                           : "the site's name, " + name + ", is from the file's name");
   return name;
-}
-
-// Terminal Doppler radars: in the site table, or by their own coverage patterns.
-bool IsTerminalRadar(const RadarVolume& volume)
-{
-  constexpr int monitorPattern = 90;
-  constexpr int hazardPattern = 80;
-  const KnownSite* site = FindSite(volume.site.name);
-  return site != nullptr ? site->terminal
-                         : volume.coveragePatternNumber == monitorPattern ||
-                             volume.coveragePatternNumber == hazardPattern;
 }
 
 bool IsOnEarth(const Position& position)
@@ -107,7 +97,11 @@ std::optional<Position> ConvertStored(const StoredPosition& stored, RadarVolume&
     position.longitude /= 1000.0;
     volume.notes.push_back("the file has the site's position in thousandths of a degree");
   }
-  if (!IsTerminalRadar(volume))
+  const KnownSite* known = FindSite(volume.site.name);
+  const bool isTerminal = known != nullptr
+                            ? known->terminal
+                            : IsTerminalPattern(volume.coveragePatternNumber.value_or(0));
+  if (!isTerminal)
   {
     position.altitude += stored.feedhornHeight;
   }
@@ -117,18 +111,13 @@ std::optional<Position> ConvertStored(const StoredPosition& stored, RadarVolume&
 // Some files have a height in feet that was taken for metres and turned into metres once more: 180
 // m for KTYX, whose antenna stands at 597 m. Heights that contradict the site table in another way
 // may be of a radar that has moved.
-void CheckHeight(RadarVolume& volume)
+void CheckHeight(const KnownSite& known, RadarVolume& volume)
 {
   constexpr double tolerated = 100.0; // m, more than the height of a tower
   constexpr double alike = 50.0;      // m, a tower and the rounding of the file
   constexpr double metresPerFoot = 0.3048;
-  const KnownSite* known = FindSite(volume.site.name);
-  if (known == nullptr || !volume.site.position)
-  {
-    return;
-  }
   double& height = volume.site.position->altitude;
-  const double listed = known->position.altitude;
+  const double listed = known.position.altitude;
   if (std::abs(height - listed) <= tolerated)
   {
     return;
@@ -148,45 +137,48 @@ void CheckHeight(RadarVolume& volume)
 }
 
 // A radar far from where the site table has it is most likely one with a damaged position.
-void CheckPlace(RadarVolume& volume)
+void CheckPlace(const KnownSite& known, RadarVolume& volume)
 {
-  const KnownSite* known = FindSite(volume.site.name);
   const Position& stated = *volume.site.position;
-  if (known == nullptr || IsNear(*known, stated.latitude, stated.longitude))
+  if (IsNear(known, stated.latitude, stated.longitude))
   {
     return;
   }
   std::ostringstream text;
   text << std::fixed << std::setprecision(3) << "the file has " << volume.site.name << " at "
        << stated.latitude << ", " << stated.longitude << " degrees, the site table at "
-       << known->position.latitude << ", " << known->position.longitude
+       << known.position.latitude << ", " << known.position.longitude
        << " degrees: the file's position is used";
   volume.notes.push_back(text.str());
 }
 
 } // namespace
 
-void ResolveSite(const SiteEvidence& evidence, const Level2Options& options, RadarVolume& volume)
+void ResolveSite(const std::string& headerName, const RadarOfRays& ofRays,
+  const Level2Options& options, RadarVolume& volume)
 {
-  volume.site.name = ResolveName(evidence, options, volume.notes);
+  volume.site.name = ResolveName(headerName, ofRays, options, volume);
   if (options.position)
   {
     volume.site.position = options.position;
     return;
   }
-  if (evidence.position)
+  if (ofRays.position)
   {
-    volume.site.position = ConvertStored(*evidence.position, volume);
+    volume.site.position = ConvertStored(*ofRays.position, volume);
   }
+  const KnownSite* known = FindSite(volume.site.name);
   if (volume.site.position)
   {
-    CheckPlace(volume);
-    CheckHeight(volume);
-    return;
+    if (known != nullptr)
+    {
+      CheckPlace(*known, volume);
+      CheckHeight(*known, volume);
+    }
   }
-  if (const KnownSite* site = FindSite(volume.site.name))
+  else if (known != nullptr)
   {
-    volume.site.position = site->position;
+    volume.site.position = known->position;
     volume.notes.push_back("the site's position is from the site table");
   }
   else

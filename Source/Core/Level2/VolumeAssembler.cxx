@@ -27,14 +27,8 @@ constexpr std::size_t mostPatterns = 100;
 
 bool HasData(const Ray& ray)
 {
-  for (const MomentRow& row : ray.moments)
-  {
-    if (row.gates > 0)
-    {
-      return true;
-    }
-  }
-  return false;
+  return std::any_of(
+    ray.moments.begin(), ray.moments.end(), [](const MomentRow& row) { return row.gates > 0; });
 }
 
 } // namespace
@@ -46,8 +40,7 @@ VolumeAssembler::VolumeAssembler(Level2Options readOptions)
 
 void VolumeAssembler::BeginPiece(const std::string& name)
 {
-  piece = name + ": ";
-  pieces.push_back(piece);
+  pieces.push_back(name + ": ");
 }
 
 void VolumeAssembler::AddHeader(const VolumeHeader& header)
@@ -73,11 +66,6 @@ void VolumeAssembler::AddStatus(const RadarStatus& status)
   }
 }
 
-void VolumeAssembler::AddBuffer(std::shared_ptr<const std::vector<std::uint8_t>> buffer)
-{
-  volume.buffers.push_back(std::move(buffer));
-}
-
 void VolumeAssembler::AddRay(DecodedRay&& decoded, int messageType, std::uint64_t offset)
 {
   for (const std::string& problem : decoded.problems)
@@ -98,7 +86,7 @@ void VolumeAssembler::AddRay(DecodedRay&& decoded, int messageType, std::uint64_
 
 void VolumeAssembler::AddDamage(std::uint64_t offset, const std::string& what)
 {
-  damage.Add(offset, piece + what);
+  damage.Add(offset, pieces.back() + what);
 }
 
 void VolumeAssembler::Report(const ArrivedRay& at, const std::string& what)
@@ -111,7 +99,7 @@ void VolumeAssembler::AddSweeps(const std::vector<ArrivedSweep>& sweeps)
   for (const ArrivedSweep& sweep : sweeps)
   {
     Sweep& added = volume.sweeps.emplace_back();
-    added.elevationNumber = sweep.rays.front()->ray.elevationNumber;
+    added.elevationNumber = sweep.ElevationNumber();
     added.rays.reserve(sweep.rays.size());
     for (const ArrivedRay* ray : sweep.rays)
     {
@@ -119,16 +107,6 @@ void VolumeAssembler::AddSweeps(const std::vector<ArrivedSweep>& sweeps)
     }
     volume.messageType = sweep.rays.front()->messageType; // all rays of one radar have the same
   }
-}
-
-// What shows only beside the other rays.
-void VolumeAssembler::CheckRays(const std::vector<ArrivedSweep>& sweeps)
-{
-  const auto report = [&](std::size_t sweep, std::size_t ray, const std::string& what)
-  { this->Report(*sweeps[sweep].rays[ray], what); };
-  RemoveStrayCodings(volume, report);
-  RemoveStrayGeometries(volume, report);
-  CutWideRows(volume, report);
 }
 
 void VolumeAssembler::NoteTimes()
@@ -168,7 +146,7 @@ void VolumeAssembler::NoteCuts()
 // Without a ray. The archive has files that hold metadata alone, beside those of the volumes.
 void VolumeAssembler::CheckMetadata(std::uint64_t size)
 {
-  if (hasHeader && piece.empty() && volume.damage.empty() && !metadata.empty())
+  if (hasHeader && pieces.size() == 1 && volume.damage.empty() && !metadata.empty())
   {
     std::string types;
     for (const unsigned type : metadata)
@@ -181,7 +159,7 @@ void VolumeAssembler::CheckMetadata(std::uint64_t size)
   const char* what = hasHeader
                        ? "no ray can be read"
                        : "no ray can be read, and no volume header: is this a Level II file?";
-  volume.damage.push_back({size, piece + what});
+  volume.damage.push_back({size, pieces.back() + what});
 }
 
 // Damage that is there however long the list is.
@@ -201,7 +179,7 @@ void VolumeAssembler::CheckEnd(std::uint64_t size)
     last.missing.begin(), last.missing.end(), volume.sweeps.back().elevationNumber);
   const std::vector<int> lost(rest, last.missing.end());
   volume.damage.push_back({size,
-    piece + "no end of volume: its last rays are missing" +
+    pieces.back() + "no end of volume: its last rays are missing" +
       (lost.empty() ? "" : ", and " + CutsText(lost) + " of " + std::to_string(*last.expected)),
     true});
 }
@@ -221,11 +199,12 @@ RadarVolume VolumeAssembler::Finish(const std::string& name, std::uint64_t size)
   const std::vector<ArrivedSweep> sweeps = BuildSweeps(rays, report, volume.notes);
   this->AddSweeps(sweeps);
   CheckCuts(sweeps, patterns, volume, report);
-  this->CheckRays(sweeps);
-  volume.damage = damage.Take(piece.empty());
+  CheckMoments(volume, [&](std::size_t sweep, std::size_t ray, const std::string& what)
+    { this->Report(*sweeps[sweep].rays[ray], what); });
+  volume.damage = damage.Take(pieces.size() == 1);
   this->CheckEnd(size);
   this->ChoosePattern();
-  ResolveSite({headerName, radar.name, name, radar.position}, options, volume);
+  ResolveSite(headerName, radar, options, volume);
   ResolveWaveforms(volume);
   this->NoteTimes();
   this->NoteCuts();

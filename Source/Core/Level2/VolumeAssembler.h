@@ -39,7 +39,10 @@ public:
   /// The file says that it was simulated.
   void AddSyntheticMark() { volume.synthetic = true; }
   /// The bytes that rays point into.
-  void AddBuffer(std::shared_ptr<const std::vector<std::uint8_t>> buffer);
+  void AddBuffer(const std::shared_ptr<const std::vector<std::uint8_t>>& buffer)
+  {
+    volume.buffers.push_back(buffer);
+  }
   void AddDamage(std::uint64_t offset, const std::string& what);
 
   std::size_t RayCount() const { return arrived.size(); }
@@ -51,7 +54,6 @@ public:
 private:
   void AddSweeps(const std::vector<ArrivedSweep>& sweeps);
   void ChoosePattern();
-  void CheckRays(const std::vector<ArrivedSweep>& sweeps);
   void CheckMetadata(std::uint64_t size);
   void CheckEnd(std::uint64_t size);
   void NoteTimes();
@@ -60,12 +62,11 @@ private:
 
   Level2Options options;
   RadarVolume volume;
-  std::string piece; ///< "name: " of the file in hand; "" when it is the only one
   bool hasHeader = false;
   std::set<unsigned> metadata; ///< types of messages
   std::string headerName;
   DamageList damage;
-  std::vector<std::string> pieces = {""}; ///< all that `piece` was
+  std::vector<std::string> pieces = {""}; ///< "name: " of each file; "" when there is one
   std::deque<ArrivedRay> arrived;         ///< in the order of the file; they do not move
   std::vector<CoveragePattern> patterns;  ///< of messages 5
   std::vector<RadarStatus> statuses;      ///< of messages 2

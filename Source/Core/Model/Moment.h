@@ -104,6 +104,11 @@ struct MomentRow
   float scale = 1.0F;           ///< value = (raw - offset) / scale
   float offset = 0.0F;
 
+  /// True when another row has as many gates, at the same ranges.
+  bool HasGatesOf(const MomentRow& other) const
+  {
+    return gates == other.gates && firstGate == other.firstGate && gateSpacing == other.gateSpacing;
+  }
   /// The word of a gate, gate < gates.
   unsigned Raw(std::size_t gate) const
   {

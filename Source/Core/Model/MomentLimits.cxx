@@ -91,11 +91,6 @@ std::vector<std::size_t> NegativeWidths(const Ray& ray, std::size_t gates)
     ray.Row(MomentName::SW), {0.0F, std::numeric_limits<float>::infinity()}, gates);
 }
 
-bool HaveTheSameGates(const MomentRow& a, const MomentRow& b)
-{
-  return a.gates == b.gates && a.firstGate == b.firstGate && a.gateSpacing == b.gateSpacing;
-}
-
 std::vector<std::size_t> ImpossibleVelocities(const Ray& ray, std::size_t gates)
 {
   const MomentRow& row = ray.Row(MomentName::VEL);
@@ -105,7 +100,7 @@ std::vector<std::size_t> ImpossibleVelocities(const Ray& ray, std::size_t gates)
     const float most = ray.nyquist + nyquistTolerance;
     folded = GatesOutside(row, {-most, most}, gates);
   }
-  if (!HaveTheSameGates(row, ray.Row(MomentName::SW)))
+  if (!row.HasGatesOf(ray.Row(MomentName::SW)))
   {
     return folded;
   }

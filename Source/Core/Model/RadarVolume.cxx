@@ -4,6 +4,7 @@
 #include "nexrad/Model/Elevation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <utility>
 
@@ -48,6 +49,18 @@ bool Sweep::Has(MomentName name) const
 {
   return std::any_of(rays.begin(), rays.end(),
     [measured = MeasuredFor(name)](const Ray& ray) { return ray.Row(measured).gates > 0; });
+}
+
+const CoverageCut* FindCut(const CoveragePattern& pattern, const Sweep& sweep)
+{
+  constexpr double sameCut = 0.5; // degrees
+  const auto number = static_cast<std::size_t>(sweep.elevationNumber);
+  if (number < 1 || number > pattern.cuts.size())
+  {
+    return nullptr;
+  }
+  const CoverageCut& cut = pattern.cuts[number - 1];
+  return std::abs(cut.elevation - sweep.MedianElevation()) < sameCut ? &cut : nullptr;
 }
 
 std::size_t RadarVolume::RayCount() const
@@ -175,6 +188,35 @@ std::vector<RadarVolume> SplitCycles(const RadarVolume& volume)
   cycles.front().damage = volume.damage;
   cycles.front().notes = volume.notes;
   return cycles;
+}
+
+bool LacksEnd(const RadarVolume& volume)
+{
+  return !volume.cuts.empty() && volume.cuts.back().left > Duration();
+}
+
+void EndWithNext(RadarVolume& volume, const RadarVolume& next)
+{
+  const bool isSameRadar =
+    KeyOf(volume.site) == KeyOf(next.site) && !StandApart(volume.site, next.site);
+  if (!LacksEnd(volume) || next.cuts.empty() || !isSameRadar ||
+      !IsBrokenOff(volume.cuts.back().left, *next.Start() - *volume.End(), next.cuts.front().begun))
+  {
+    return;
+  }
+  VolumeCuts& cuts = volume.cuts.back();
+  const auto rest = std::upper_bound(
+    cuts.missing.begin(), cuts.missing.end(), volume.sweeps.back().elevationNumber);
+  cuts.notScanned.assign(rest, cuts.missing.end());
+  cuts.missing.erase(rest, cuts.missing.end());
+  cuts.end = VolumeEnd::NewVolume;
+  cuts.left = Duration();
+  const auto isEnd = [](const Damage& damage) { return damage.isMissingEnd; };
+  volume.damage.erase(
+    std::remove_if(volume.damage.begin(), volume.damage.end(), isEnd), volume.damage.end());
+  volume.complete = std::all_of(volume.cuts.begin(), volume.cuts.end(),
+    [](const VolumeCuts& each) { return each.missing.empty(); });
+  volume.notes.push_back(DescribeCuts(cuts).back() + ", of " + next.file);
 }
 
 } // namespace nexrad

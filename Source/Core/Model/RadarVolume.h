@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Model/CoveragePattern.h"
 #include "nexrad/Model/Moment.h"
 #include "nexrad/Model/Site.h"
 #include "nexrad/Model/Time.h"
@@ -65,6 +64,10 @@ struct Sweep
   bool Has(MomentName name) const;
 };
 
+/// The cut of a pattern that has the number of a sweep; nullptr where there is none, or where its
+/// elevation is half a degree or more from that of the sweep.
+const CoverageCut* FindCut(const CoveragePattern& pattern, const Sweep& sweep);
+
 /// Something wrong in a file. The rest of the file was read.
 struct Damage
 {
@@ -97,7 +100,7 @@ struct RadarVolume
   std::vector<VolumeCuts> cuts; ///< of each volume in the file, in the order of SplitCycles; empty
                                 ///< in a volume that was not decoded
   bool complete = false;  ///< the radar ended the last volume of the file, and no cut was lost
-  bool synthetic = false; ///< the file says that it was simulated (Level2/SyntheticMark.h)
+  bool synthetic = false; ///< the file says that it was simulated (IsSyntheticMark)
   std::vector<Damage> damage;
   std::vector<std::string> notes; ///< worth knowing, and not damage
   std::vector<std::shared_ptr<const std::vector<std::uint8_t>>> buffers; ///< decompressed records
@@ -117,5 +120,13 @@ bool BeginsCycle(const Sweep& before, const Sweep& sweep);
 /// buffers that its rays point into, and has its own cuts and coverage pattern; damage and notes,
 /// which are the file's, stay with the first.
 std::vector<RadarVolume> SplitCycles(const RadarVolume& volume);
+
+/// Whether the last volume of a file has no end, so that the file behind it may tell why.
+bool LacksEnd(const RadarVolume& volume);
+
+/// Where the radar broke that volume off (IsBrokenOff) and began `next`, of another file: takes the
+/// missing end out of the damage, and the cuts that follow out of those that are missing; a note
+/// says what became of them.
+void EndWithNext(RadarVolume& volume, const RadarVolume& next);
 
 } // namespace nexrad

@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Model/SiteTable.h"
 
-#include "nexrad/System/Embedded.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
 #include <charconv>
+#include <cstddef>
 #include <sstream>
+
+// Data/radar_sites.csv, which is compiled in (CMake/NexradEmbed.cmake).
+namespace nexrad::embedded
+{
+
+extern const unsigned char radarSites[];
+extern const std::size_t radarSitesSize;
+
+} // namespace nexrad::embedded
 
 namespace nexrad
 {
@@ -52,11 +61,6 @@ KnownSite ParseRow(const std::string& line)
     NumberOf(ground, lowest, highest)};
 }
 
-bool ByName(const KnownSite& first, const KnownSite& second)
-{
-  return first.name < second.name;
-}
-
 } // namespace
 
 std::vector<KnownSite> ParseSiteTable(const std::string& text)
@@ -76,7 +80,8 @@ std::vector<KnownSite> ParseSiteTable(const std::string& text)
       throw Error("line " + std::to_string(number) + " of the site table: " + problem.what());
     }
   }
-  std::sort(sites.begin(), sites.end(), ByName);
+  std::sort(sites.begin(), sites.end(),
+    [](const KnownSite& first, const KnownSite& second) { return first.name < second.name; });
   return sites;
 }
 

@@ -3,6 +3,7 @@
 
 #include "nexrad/Model/Elevation.h"
 #include "nexrad/Model/SiteTable.h"
+#include "nexrad/System/MessageText.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,11 +56,6 @@ std::string Describe(
   return text.str();
 }
 
-std::string CountOf(std::size_t count, const char* noun)
-{
-  return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
-}
-
 } // namespace
 
 std::vector<std::string> DescribeStrays(const RadarVolume& volume)
@@ -95,12 +91,12 @@ std::string SummarizeStrays(const RadarVolume& volume)
   std::string text;
   if (rays > 0)
   {
-    text = CountOf(rays, "ray") + " of " + CountOf(sweeps, "sweep") +
+    text = CountText(rays, "ray") + " of " + CountText(sweeps, "sweep") +
            ", farther from the elevation of the sweep than half a beam width";
   }
   if (whole > 0)
   {
-    text += (text.empty() ? "" : "; and ") + CountOf(whole, "sweep") +
+    text += (text.empty() ? "" : "; and ") + CountText(whole, "sweep") +
             " without an elevation, because most rays are that far from their median";
   }
   return text.empty() ? text : "the merge leaves out " + text;

@@ -4,15 +4,15 @@
 #include "nexrad/Model/Elevation.h"
 #include "nexrad/Model/SiteTable.h"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace nexrad
 {
 
 namespace
 {
-
-constexpr double sameCut = 0.5; // degrees between the pattern's angle and the sweep's
 
 bool MeasuresVelocity(const Sweep& sweep)
 {
@@ -22,15 +22,11 @@ bool MeasuresVelocity(const Sweep& sweep)
 // As message 5 says; Unknown where it has no cut that fits the sweep.
 Waveform FindInPattern(const RadarVolume& volume, const Sweep& sweep)
 {
-  const auto number = static_cast<std::size_t>(sweep.elevationNumber);
-  if (!volume.coveragePattern || number < 1 || number > volume.coveragePattern->cuts.size())
-  {
-    return Waveform::Unknown;
-  }
-  const CoverageCut& cut = volume.coveragePattern->cuts[number - 1];
-  const bool fits = std::abs(cut.elevation - sweep.MedianElevation()) < sameCut &&
-                    !(cut.waveform == Waveform::ContiguousSurveillance && MeasuresVelocity(sweep));
-  return fits ? cut.waveform : Waveform::Unknown;
+  const CoverageCut* cut =
+    volume.coveragePattern ? FindCut(*volume.coveragePattern, sweep) : nullptr;
+  const bool fits = cut != nullptr &&
+                    !(cut->waveform == Waveform::ContiguousSurveillance && MeasuresVelocity(sweep));
+  return fits ? cut->waveform : Waveform::Unknown;
 }
 
 // As the rays tell; `before` is the sweep scanned before, or nullptr.
@@ -85,22 +81,9 @@ void ResolveWaveforms(RadarVolume& volume)
 
 const char* ToString(Waveform waveform)
 {
-  switch (waveform)
-  {
-  case Waveform::ContiguousSurveillance:
-    return "contiguous surveillance";
-  case Waveform::ContiguousDoppler:
-    return "contiguous Doppler";
-  case Waveform::ContiguousDopplerWithout:
-    return "contiguous Doppler without ambiguity resolution";
-  case Waveform::Batch:
-    return "batch";
-  case Waveform::StaggeredPulsePair:
-    return "staggered pulse pair";
-  case Waveform::Unknown:
-    return "";
-  }
-  return "";
+  constexpr std::array<const char*, 6> texts = {"", "contiguous surveillance", "contiguous Doppler",
+    "contiguous Doppler without ambiguity resolution", "batch", "staggered pulse pair"};
+  return texts[static_cast<std::size_t>(waveform)];
 }
 
 } // namespace nexrad

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Model/Time.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <ratio>
 
 namespace nexrad
 {
@@ -46,24 +48,6 @@ CalendarDate DateFromDays(std::int64_t days)
   return {yearOfEra + era * 400 + (month <= 2 ? 1 : 0), month, day};
 }
 
-struct ClockTime
-{
-  CalendarDate date;
-  unsigned hour;
-  unsigned minute;
-  unsigned second;
-  unsigned millisecond;
-};
-
-ClockTime ToClock(Time time)
-{
-  constexpr std::int64_t dayLength = 86'400'000;
-  const std::int64_t count = time.time_since_epoch().count();
-  const std::int64_t days = (count >= 0 ? count : count - dayLength + 1) / dayLength;
-  const auto rest = static_cast<unsigned>(count - days * dayLength);
-  return {DateFromDays(days), rest / 3'600'000, rest / 60'000 % 60, rest / 1000 % 60, rest % 1000};
-}
-
 bool IsCalendarDate(const CalendarDate& date)
 {
   if (date.month < 1 || date.month > 12 || date.day < 1)
@@ -83,22 +67,24 @@ Time FromLevel2Date(std::uint32_t days, std::uint32_t milliseconds)
 
 std::string FormatIso8601(Time time)
 {
-  const ClockTime clock = ToClock(time);
+  using Days = std::chrono::duration<std::int64_t, std::ratio<86'400>>;
+  const auto day = std::chrono::floor<Days>(time.time_since_epoch());
+  const CalendarDate date = DateFromDays(day.count());
+  const auto rest = static_cast<unsigned>((time.time_since_epoch() - day).count());
   std::array<char, 64> text{};
   std::snprintf(text.data(), text.size(), "%04lld-%02u-%02uT%02u:%02u:%02u.%03uZ",
-    static_cast<long long>(clock.date.year), clock.date.month, clock.date.day, clock.hour,
-    clock.minute, clock.second, clock.millisecond);
+    static_cast<long long>(date.year), date.month, date.day, rest / 3'600'000, rest / 60'000 % 60,
+    rest / 1000 % 60, rest % 1000);
   return text.data();
 }
 
 std::string FormatForFileName(Time time)
 {
-  const ClockTime clock = ToClock(time);
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%04lld%02u%02uT%02u%02u%02uZ",
-    static_cast<long long>(clock.date.year), clock.date.month, clock.date.day, clock.hour,
-    clock.minute, clock.second);
-  return text.data();
+  std::string text = FormatIso8601(time);
+  text.erase(text.find('.'), 4);
+  const auto isPunctuation = [](char letter) { return letter == '-' || letter == ':'; };
+  text.erase(std::remove_if(text.begin(), text.end(), isPunctuation), text.end());
+  return text;
 }
 
 std::optional<Time> ParseIso8601(std::string_view text)
@@ -115,25 +101,17 @@ std::optional<Time> ParseIso8601(std::string_view text)
   unsigned minute = 0;
   double second = 0.0;
   char separator = 'T';
-  int used = 0;
-  const int length = static_cast<int>(value.size());
-  bool complete = std::sscanf(value.c_str(), "%4d-%2u-%2u%n", &year, &month, &day, &used) == 3;
-  if (complete && used < length)
-  {
-    int more = 0;
-    complete =
-      std::sscanf(value.c_str() + used, "%c%2u:%2u%n", &separator, &hour, &minute, &more) == 3;
-    used += more;
-  }
-  if (complete && used < length)
-  {
-    int more = 0;
-    complete = std::sscanf(value.c_str() + used, ":%6lf%n", &second, &more) == 1;
-    used += more;
-  }
+  // Where the date, the minutes and the seconds end; 0 for what is not there.
+  int dateEnd = 0;
+  int minuteEnd = 0;
+  int secondEnd = 0;
+  const int fields = std::sscanf(value.c_str(), "%4d-%2u-%2u%n%c%2u:%2u%n:%6lf%n", &year, &month,
+    &day, &dateEnd, &separator, &hour, &minute, &minuteEnd, &second, &secondEnd);
+  const bool complete =
+    fields >= 3 && std::max({dateEnd, minuteEnd, secondEnd}) == static_cast<int>(value.size());
   const CalendarDate date{year, month, day};
-  if (!complete || used != length || (separator != 'T' && separator != ' ') ||
-      !IsCalendarDate(date) || hour > 23 || minute > 59 || !(second >= 0.0 && second < 60.0))
+  if (!complete || (separator != 'T' && separator != ' ') || !IsCalendarDate(date) || hour > 23 ||
+      minute > 59 || !(second >= 0.0 && second < 60.0))
   {
     return std::nullopt;
   }
@@ -148,7 +126,7 @@ double ToSeconds(Time time)
 
 Time FromSeconds(double seconds)
 {
-  return Time(Duration(std::llround(seconds * 1000.0)));
+  return Time(DurationOf(seconds));
 }
 
 Duration DurationOf(double seconds)

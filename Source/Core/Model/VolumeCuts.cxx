@@ -2,6 +2,7 @@
 #include "nexrad/Model/VolumeCuts.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 namespace nexrad
@@ -9,18 +10,8 @@ namespace nexrad
 
 const char* ToString(VolumeEnd end)
 {
-  switch (end)
-  {
-  case VolumeEnd::LastCut:
-    return "last cut";
-  case VolumeEnd::Early:
-    return "early";
-  case VolumeEnd::NewVolume:
-    return "new volume";
-  case VolumeEnd::Missing:
-    break;
-  }
-  return "missing";
+  constexpr std::array<const char*, 4> texts = {"missing", "last cut", "early", "new volume"};
+  return texts[static_cast<std::size_t>(end)];
 }
 
 std::string CutsText(const std::vector<int>& numbers)
@@ -50,14 +41,6 @@ std::string CutsText(const std::vector<int>& numbers)
 namespace
 {
 
-// Terminal radars scan low cuts again in their own way.
-bool IsTerminalPattern(const CoveragePattern& pattern)
-{
-  constexpr int hazard = 80;
-  constexpr int monitor = 90;
-  return pattern.number == hazard || pattern.number == monitor;
-}
-
 std::string DescribeRepeated(const VolumeCuts& cuts)
 {
   constexpr double sameElevation = 0.2; // degrees
@@ -69,7 +52,9 @@ std::string DescribeRepeated(const VolumeCuts& cuts)
   const bool areLowest = std::all_of(cuts.repeated.begin(), cuts.repeated.end(),
     [&](int number)
     { return all[static_cast<std::size_t>(number) - 1].elevation < lowest + sameElevation; });
-  const char* scheme = IsTerminalPattern(*cuts.pattern) ? "" : areLowest ? " (SAILS)" : " (MRLE)";
+  const char* scheme = IsTerminalPattern(cuts.pattern->number) ? ""
+                       : areLowest                             ? " (SAILS)"
+                                                               : " (MRLE)";
   return CutsText(cuts.repeated) + " again at " +
          (areLowest ? "the lowest elevation" : "low elevations") + scheme;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Model/CoveragePattern.h"
 #include "nexrad/Model/Time.h"
 
 #include <cstdint>
@@ -11,6 +10,40 @@
 
 namespace nexrad
 {
+
+/// Waveform of a cut, as message 5 numbers it (ICD 2620002, table XI).
+enum class Waveform : std::uint8_t
+{
+  Unknown = 0,
+  ContiguousSurveillance = 1,   ///< long range, reflectivity
+  ContiguousDoppler = 2,        ///< with ambiguity resolution
+  ContiguousDopplerWithout = 3, ///< without ambiguity resolution
+  Batch = 4,                    ///< both in one cut
+  StaggeredPulsePair = 5
+};
+
+/// One elevation cut of a volume coverage pattern.
+struct CoverageCut
+{
+  double elevation = 0.0; ///< degrees
+  Waveform waveform = Waveform::Unknown;
+  bool superResolution = false; ///< half-degree azimuths
+  double azimuthRate = 0.0;     ///< degrees a second; 0 when unknown
+};
+
+/// The cuts of a volume, in the order scanned.
+struct CoveragePattern
+{
+  int number = 0; ///< VCP
+  std::vector<CoverageCut> cuts;
+};
+
+/// Whether a pattern, by its number, is one of Terminal Doppler Weather Radars: 80 (hazard) or 90
+/// (monitor). They scan low cuts again in their own way.
+constexpr bool IsTerminalPattern(int number)
+{
+  return number == 80 || number == 90;
+}
 
 /// What ended a volume.
 enum class VolumeEnd : std::uint8_t

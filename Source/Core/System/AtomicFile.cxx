@@ -49,18 +49,6 @@ bool TryLock(const FileDescriptor& file)
   return fstat(file.Number(), &status) != 0 || status.st_nlink > 0;
 }
 
-void RemoveIfAbandoned(const std::filesystem::path& path)
-{
-  const FileDescriptor file(open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
-  struct stat status = {};
-  if (file.IsOpen() && fstat(file.Number(), &status) == 0 && S_ISREG(status.st_mode) &&
-      flock(file.Number(), LOCK_EX | LOCK_NB) == 0)
-  {
-    // While it is locked: a process that has just made it sees that its name is gone.
-    unlink(path.c_str());
-  }
-}
-
 namespace
 {
 
@@ -91,6 +79,20 @@ bool IsTemporaryFor(const fs::path& path, const fs::path& other)
          name.compare(0, prefix.size(), prefix) == 0 &&
          name.find_first_not_of("0123456789abcdef", prefix.size()) >= prefix.size() + digitCount &&
          name.compare(prefix.size() + digitCount, std::string::npos, ending) == 0;
+}
+
+// Removes a regular file that no living process has locked with TryLock; on file systems that know
+// no locks, none.
+void RemoveIfAbandoned(const fs::path& path)
+{
+  const FileDescriptor file(open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  struct stat status = {};
+  if (file.IsOpen() && fstat(file.Number(), &status) == 0 && S_ISREG(status.st_mode) &&
+      flock(file.Number(), LOCK_EX | LOCK_NB) == 0)
+  {
+    // While it is locked: a process that has just made it sees that its name is gone.
+    unlink(path.c_str());
+  }
 }
 
 // Removes what processes that were killed left behind for a path.
@@ -148,7 +150,7 @@ void AtomicFile::Open()
       break;
     }
   }
-  this->Fail("cannot be written");
+  this->Fail();
 }
 
 AtomicFile::~AtomicFile()
@@ -159,9 +161,9 @@ AtomicFile::~AtomicFile()
   }
 }
 
-void AtomicFile::Fail(const char* what) const
+void AtomicFile::Fail() const
 {
-  throw Error(target.string() + ": " + what + ": " + std::strerror(errno));
+  throw Error(target.string() + ": cannot be written: " + std::strerror(errno));
 }
 
 void AtomicFile::Write(const void* data, std::size_t size)
@@ -178,7 +180,7 @@ void AtomicFile::Write(const void* data, std::size_t size)
     }
     if (written <= 0)
     {
-      this->Fail("cannot be written");
+      this->Fail();
     }
     bytes += written;
     size -= static_cast<std::size_t>(written);
@@ -188,21 +190,23 @@ void AtomicFile::Write(const void* data, std::size_t size)
 void AtomicFile::RequireRoom(std::size_t bytes)
 {
   const off_t end = lseek(descriptor.Number(), 0, SEEK_END);
-  int failure = end < 0 ? errno : 0;
+  if (end < 0)
+  {
+    this->Fail();
+  }
+  int failure = 0;
   do
   {
-    failure = failure == 0 || failure == EINTR
-                ? posix_fallocate(descriptor.Number(), end, static_cast<off_t>(bytes))
-                : failure;
+    failure = posix_fallocate(descriptor.Number(), end, static_cast<off_t>(bytes));
   } while (failure == EINTR);
-  if (end >= 0 && ftruncate(descriptor.Number(), end) != 0 && failure == 0)
+  if (ftruncate(descriptor.Number(), end) != 0 && failure == 0)
   {
     failure = errno;
   }
   if (failure != 0)
   {
     errno = failure;
-    this->Fail("cannot be written");
+    this->Fail();
   }
 }
 
@@ -211,12 +215,12 @@ void AtomicFile::Commit()
   // A full disk or a broken network mount may show only now. Some file systems know no fsync.
   if (fsync(descriptor.Number()) != 0 && errno != EINVAL && errno != ENOTSUP)
   {
-    this->Fail("cannot be written");
+    this->Fail();
   }
   // Renamed while it is locked: without its lock it could be taken for left behind.
   if (rename(temporary.c_str(), target.c_str()) != 0 || !descriptor.Close())
   {
-    this->Fail("cannot be written");
+    this->Fail();
   }
 }
 

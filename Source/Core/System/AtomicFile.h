@@ -38,10 +38,6 @@ private:
 /// True on file systems that know no locks.
 bool TryLock(const FileDescriptor& file);
 
-/// Removes a regular file that no living process has locked with TryLock; on file systems that know
-/// no locks, none.
-void RemoveIfAbandoned(const std::filesystem::path& path);
-
 /// A file that appears complete or not at all: it is written under a temporary name in the same
 /// folder, and Commit gives it its name. Without Commit the temporary file is removed. Every
 /// failure (no such folder, no permission, a full disk) throws Error: path, what failed, why.
@@ -72,7 +68,7 @@ public:
   void Commit();
 
 private:
-  [[noreturn]] void Fail(const char* what) const;
+  [[noreturn]] void Fail() const;
   void Open();
 
   std::filesystem::path target;

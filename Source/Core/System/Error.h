@@ -15,8 +15,4 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// The message of a library for a line of ours: at most 300 bytes of it, then "…". Parsers repeat
-/// what they read in theirs, at any length.
-std::string Shortened(const std::string& message);
-
 } // namespace nexrad

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/System/MessageText.h"
 
-#include <cstddef>
 #include <cstdio>
 
 namespace nexrad
@@ -50,6 +49,11 @@ std::string ControlText(unsigned char byte)
   return code;
 }
 
+std::string CountText(std::size_t count, const std::string& noun)
+{
+  return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
+}
+
 std::string MessageLine(const std::string& message)
 {
   constexpr std::size_t most = 2000;
@@ -70,6 +74,21 @@ std::string MessageLine(const std::string& message)
     ++second;
   }
   return line.substr(0, first) + "…" + line.substr(second);
+}
+
+std::string Shortened(const std::string& message)
+{
+  constexpr std::size_t most = 300;
+  if (message.size() <= most)
+  {
+    return message;
+  }
+  std::size_t end = most;
+  while (end > 0 && GoesOn(message, end))
+  {
+    --end;
+  }
+  return message.substr(0, end) + "…";
 }
 
 Error FileError(const std::filesystem::path& path, const std::string& what)

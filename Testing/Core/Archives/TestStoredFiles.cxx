@@ -3,8 +3,10 @@
 
 #include "Feed/TarMaker.h"
 #include "TestData.h"
+#include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <string>
@@ -133,4 +135,22 @@ TEST(StoredFiles, AnArchiveThatDecompressesTooFar)
   const fs::path tar = WriteBytes(folder.Path() / "bomb.tar.gz", bomb);
   EXPECT_LT(StoredSize(tar / "big"), (std::size_t(64) << 20) + 40 * bomb.size());
   EXPECT_EQ(FindArchive(tar)->problems.size(), 2U);
+}
+
+TEST(StoredFiles, OrdinaryOnesAreNeitherPipesNorDevices)
+{
+  const TemporaryFolder folder;
+  const fs::path pipe = folder.Path() / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const fs::path file = WriteBytes(folder.Path() / "file", someBytes);
+  for (const fs::path& path : {pipe, fs::path("/dev/zero"), fs::path("/dev/null")})
+  {
+    EXPECT_THROW(RequireOrdinaryFile(path), Error) << path;
+    EXPECT_FALSE(IsOrdinaryFile(path)) << path;
+  }
+  EXPECT_TRUE(IsOrdinaryFile(file));
+  EXPECT_FALSE(IsOrdinaryFile(folder.Path()));
+  EXPECT_NO_THROW(RequireOrdinaryFile(file));
+  EXPECT_NO_THROW(RequireOrdinaryFile(folder.Path()));
+  EXPECT_NO_THROW(RequireOrdinaryFile(folder.Path() / "none")) << "opening it says why";
 }

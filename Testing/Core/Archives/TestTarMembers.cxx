@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Archives/TarMembers.h"
+#include "nexrad/Archives/Archive.h"
 
 #include "Feed/TarMaker.h"
 #include "TestData.h"
@@ -26,16 +26,14 @@ Listing ListBytes(const Bytes& bytes)
 {
   static const TemporaryFolder folder;
   const auto file = FilePart::Open(WriteBytes(folder.Path() / "some.tar", bytes));
+  const Archive archive = ReadArchive(*file);
   Listing listing;
-  TarReceiver receiver;
-  receiver.member = [&](const std::string& name, const FilePart& content)
+  for (const auto& [name, content] : archive.members)
   {
     const std::vector<std::uint8_t> found = content.Start(1U << 20);
     listing.members[name] = std::string(found.begin(), found.end());
-    return true;
-  };
-  receiver.problem = [&](ArchiveProblem&& problem) { listing.problems.push_back(problem); };
-  ListTar(*file, receiver);
+  }
+  listing.problems = archive.problems;
   return listing;
 }
 
@@ -105,13 +103,15 @@ TEST(TarMembers, SizesOfEachFormat)
 
 TEST(TarMembers, SizesThatAreNoneAreDamage)
 {
+  const Bytes first = MakeTarMember({"first", BytesOf("first")});
   const Bytes good = MakeTarMember({"good", BytesOf("good")});
   Bytes negative(12, 0xFF);
   Bytes huge(12, 0xFE);
   huge[0] = 0x80;
   for (const Bytes& size : {negative, huge, BytesOf("zzzzzzzzzzz"), BytesOf("77777777777777")})
   {
-    const Listing listing = ListBytes(Join({HeaderWithSize(size), good, Bytes(1024)}));
+    const Listing listing = ListBytes(Join({first, HeaderWithSize(size), good, Bytes(1024)}));
+    EXPECT_EQ(listing.members.count("first"), 1U);
     EXPECT_EQ(listing.members.count("good"), size.size() == 14 ? 0U : 1U);
     ASSERT_EQ(listing.problems.size(), 1U);
   }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Level2/Messages/MessageBodies.h"
 #include "nexrad/Level2/Messages/MessageStream.h"
-#include "nexrad/Level2/Messages/MetadataMessages.h"
-#include "nexrad/Level2/Messages/RadialMessages.h"
 
 #include "Level2Bytes.h"
 #include "Tolerance.h"

@@ -4,7 +4,7 @@
 
 #include "Level2Bytes.h"
 #include "Remarks.h"
-#include "nexrad/Level2/VolumeEnding.h"
+#include "nexrad/Model/RadarVolume.h"
 
 #include <gtest/gtest.h>
 

@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/System/MessageText.h"
 
-#include "TestData.h"
-#include "nexrad/System/OrdinaryFile.h"
-
 #include <gtest/gtest.h>
 
-#include <sys/stat.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <string>
 
 using namespace nexrad;
-namespace fs = std::filesystem;
 
 TEST(MessageTexts, AreOneLineWithoutControlCharacters)
 {
@@ -47,23 +38,4 @@ TEST(MessageTexts, OfAFileNameIt)
   EXPECT_EQ(message.rfind(name + ": key ", 0), 0U);
   EXPECT_LT(message.size(), name.size() + 310);
   EXPECT_EQ(std::string(FileError("f", "two\nlines").what()), "f: two\\x0alines");
-}
-
-TEST(OrdinaryFiles, AreNeitherPipesNorDevices)
-{
-  const nexrad::testing::TemporaryFolder folder;
-  const fs::path pipe = folder.Path() / "pipe";
-  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  const fs::path file = folder.Path() / "file";
-  std::ofstream(file) << "x";
-  for (const fs::path& path : {pipe, fs::path("/dev/zero"), fs::path("/dev/null")})
-  {
-    EXPECT_THROW(RequireOrdinaryFile(path), Error) << path;
-    EXPECT_FALSE(IsOrdinaryFile(path)) << path;
-  }
-  EXPECT_TRUE(IsOrdinaryFile(file));
-  EXPECT_FALSE(IsOrdinaryFile(folder.Path()));
-  EXPECT_NO_THROW(RequireOrdinaryFile(file));
-  EXPECT_NO_THROW(RequireOrdinaryFile(folder.Path()));
-  EXPECT_NO_THROW(RequireOrdinaryFile(folder.Path() / "none")) << "opening it says why";
 }

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Level2/Assembly/CutCheck.h"
 
-#include "nexrad/Model/Elevation.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <utility>
+#include <optional>
+#include <string>
 
 namespace nexrad
 {
@@ -20,15 +19,32 @@ namespace
 const std::map<int, int> publishedCuts = {
   {11, 16}, {12, 17}, {21, 11}, {31, 8}, {32, 7}, {121, 20}, {211, 16}, {212, 17}, {221, 11}};
 
+// The sweeps of one volume of the file, and the ray behind them.
+struct Cycle
+{
+  const ArrivedSweep& operator[](std::size_t index) const { return sweeps[first + index]; }
+  std::size_t Size() const { return behind - first; }
+  auto begin() const { return sweeps.begin() + static_cast<std::ptrdiff_t>(first); }
+  auto end() const { return sweeps.begin() + static_cast<std::ptrdiff_t>(behind); }
+  const ArrivedSweep& Last() const { return sweeps[behind - 1]; }
+  const ArrivedRay* Next() const
+  {
+    return behind < sweeps.size() ? sweeps[behind].rays.front() : nullptr;
+  }
+
+  const std::vector<ArrivedSweep>& sweeps;
+  std::size_t first;
+  std::size_t behind;
+};
+
 // The number that most rays have; of two alike that which came first.
-std::optional<int> NumberOfMost(
-  const std::vector<ArrivedSweep>& sweeps, std::size_t begin, std::size_t end)
+std::optional<int> NumberOfMost(const Cycle& cycle)
 {
   std::map<int, std::size_t> counts;
   std::optional<int> most;
-  for (std::size_t i = begin; i < end; ++i)
+  for (const ArrivedSweep& sweep : cycle)
   {
-    for (const ArrivedRay* ray : sweeps[i].rays)
+    for (const ArrivedRay* ray : sweep.rays)
     {
       const int number = ray->coveragePatternNumber;
       if (number > 0 && (++counts[number] > counts[most.value_or(number)] || !most))
@@ -40,64 +56,34 @@ std::optional<int> NumberOfMost(
   return most;
 }
 
-double ElevationOf(const ArrivedSweep& sweep)
-{
-  std::vector<double> elevations;
-  for (const ArrivedRay* ray : sweep.rays)
-  {
-    elevations.push_back(ray->ray.elevation);
-  }
-  return MedianOf(std::move(elevations));
-}
-
-// Sweeps that have the elevation of their cut in the pattern.
-std::size_t CountFitting(const CoveragePattern& pattern, const std::vector<ArrivedSweep>& sweeps,
-  std::size_t begin, std::size_t end)
-{
-  constexpr double sameCut = 0.5; // degrees
-  return static_cast<std::size_t>(std::count_if(sweeps.begin() + static_cast<std::ptrdiff_t>(begin),
-    sweeps.begin() + static_cast<std::ptrdiff_t>(end),
-    [&pattern](const ArrivedSweep& sweep)
-    {
-      const std::size_t number = sweep.rays.front()->ray.elevationNumber;
-      return number >= 1 && number <= pattern.cuts.size() &&
-             std::abs(pattern.cuts[number - 1].elevation - ElevationOf(sweep)) < sameCut;
-    }));
-}
-
-} // namespace
-
-VolumeCuts ChoosePattern(const std::vector<ArrivedSweep>& sweeps, std::size_t begin,
-  std::size_t end, const std::vector<CoveragePattern>& patterns)
+// What is known of the coverage pattern of a volume. `sweeps` are those of the file.
+VolumeCuts ChoosePattern(const Cycle& cycle, const std::vector<Sweep>& sweeps,
+  const std::vector<CoveragePattern>& patterns)
 {
   VolumeCuts cuts;
-  cuts.patternNumber = NumberOfMost(sweeps, begin, end);
-  std::vector<const CoveragePattern*> candidates;
+  cuts.patternNumber = NumberOfMost(cycle);
+  std::ptrdiff_t most = -1; // sweeps that fit
   for (const CoveragePattern& pattern : patterns)
   {
-    if (!cuts.patternNumber || pattern.number == *cuts.patternNumber)
+    if (cuts.patternNumber && pattern.number != *cuts.patternNumber)
     {
-      candidates.push_back(&pattern);
+      continue;
+    }
+    const auto begin = sweeps.begin();
+    const std::ptrdiff_t fitting = std::count_if(begin + static_cast<std::ptrdiff_t>(cycle.first),
+      begin + static_cast<std::ptrdiff_t>(cycle.behind),
+      [&pattern](const Sweep& sweep) { return FindCut(pattern, sweep) != nullptr; });
+    if (fitting > most)
+    {
+      most = fitting;
+      cuts.pattern = pattern;
     }
   }
-  if (candidates.size() > 1)
+  if (cuts.pattern)
   {
-    std::vector<std::pair<std::size_t, const CoveragePattern*>> fitting;
-    for (const CoveragePattern* pattern : candidates)
-    {
-      fitting.emplace_back(CountFitting(*pattern, sweeps, begin, end), pattern);
-    }
-    candidates = {std::max_element(fitting.begin(), fitting.end(),
-      [](const auto& a, const auto& b) {
-        return a.first < b.first;
-      })->second};
-  }
-  if (!candidates.empty())
-  {
-    cuts.pattern = *candidates.front();
     cuts.expected = static_cast<int>(cuts.pattern->cuts.size());
   }
-  else if (cuts.patternNumber && sweeps[begin].rays.front()->messageType == 1)
+  else if (cuts.patternNumber && cycle[0].rays.front()->messageType == 1)
   {
     const auto published = publishedCuts.find(*cuts.patternNumber);
     cuts.expected =
@@ -106,6 +92,7 @@ VolumeCuts ChoosePattern(const std::vector<ArrivedSweep>& sweeps, std::size_t be
   return cuts;
 }
 
+// The numbers of the cuts, from 1, at an elevation that the pattern had before a higher cut.
 std::vector<int> RepeatedCuts(const CoveragePattern& pattern)
 {
   constexpr double sameElevation = 0.2; // degrees
@@ -126,16 +113,6 @@ std::vector<int> RepeatedCuts(const CoveragePattern& pattern)
   return repeated;
 }
 
-namespace
-{
-
-constexpr double fullTurn = 360.0; // degrees
-
-int NumberOf(const ArrivedSweep& sweep)
-{
-  return sweep.rays.front()->ray.elevationNumber;
-}
-
 std::vector<int> NumbersFrom(int first, int last)
 {
   std::vector<int> numbers(static_cast<std::size_t>(std::max(0, last - first + 1)));
@@ -147,22 +124,6 @@ void Append(const std::vector<int>& more, std::vector<int>& numbers)
 {
   numbers.insert(numbers.end(), more.begin(), more.end());
 }
-
-// The sweeps of one volume of the file, and the ray behind them.
-struct Cycle
-{
-  const ArrivedSweep& operator[](std::size_t index) const { return sweeps[begin + index]; }
-  std::size_t Size() const { return end - begin; }
-  const ArrivedSweep& Last() const { return sweeps[end - 1]; }
-  const ArrivedRay* Next() const
-  {
-    return end < sweeps.size() ? sweeps[end].rays.front() : nullptr;
-  }
-
-  const std::vector<ArrivedSweep>& sweeps;
-  std::size_t begin;
-  std::size_t end;
-};
 
 // Checks one volume.
 class CycleCheck
@@ -185,20 +146,15 @@ public:
   }
 
 private:
-  std::string OfAll() const
-  {
-    return cuts.expected ? " of " + std::to_string(*cuts.expected) : std::string();
-  }
-
   // A volume with its end and fewer than half of its cuts: losses take some cuts, not most.
   bool IsExcerpt() const
   {
     int scanned = 0;
     int before = 0;
-    for (std::size_t i = 0; i < cycle.Size(); ++i)
+    for (const ArrivedSweep& sweep : cycle)
     {
-      scanned += NumberOf(cycle[i]) != before ? 1 : 0;
-      before = NumberOf(cycle[i]);
+      scanned += sweep.ElevationNumber() != before ? 1 : 0;
+      before = sweep.ElevationNumber();
     }
     return 2 * scanned < before &&
            cycle.Last().rays.back()->ray.radialStatus == RadialStatus::EndOfVolume;
@@ -209,14 +165,14 @@ private:
   {
     cuts.excerpt = this->IsExcerpt();
     int before = 0;
-    for (std::size_t i = 0; i < cycle.Size(); ++i)
+    for (const ArrivedSweep& sweep : cycle)
     {
-      const int number = NumberOf(cycle[i]);
+      const int number = sweep.ElevationNumber();
       const std::vector<int> lost = NumbersFrom(before + 1, number - 1);
       if (!lost.empty())
       {
         Append(lost, cuts.missing);
-        this->ReportLost(lost, before, *cycle[i].rays.front());
+        this->ReportLost(lost, before, *sweep.rays.front());
       }
       before = number;
     }
@@ -241,7 +197,8 @@ private:
 
   std::string Missing(const std::vector<int>& lost) const
   {
-    return CutsText(lost) + this->OfAll() + (lost.size() == 1 ? " is missing" : " are missing");
+    return CutsText(lost) + (cuts.expected ? " of " + std::to_string(*cuts.expected) : "") +
+           (lost.size() == 1 ? " is missing" : " are missing");
   }
 
   // The radar may break a cut off and scan it again; then nothing was lost.
@@ -259,14 +216,14 @@ private:
   void ReportEnd(std::size_t index)
   {
     report(*cycle[index].rays.back(),
-      "rays missing at the end of " + NameOfSweep(cycle.begin + index, cycle[index]));
+      "rays missing at the end of " + NameOfSweep(cycle.first + index, cycle[index]));
   }
 
   void CheckEnd()
   {
     const ArrivedSweep& last = cycle.Last();
     const std::vector<int> rest =
-      NumbersFrom(NumberOf(last) + 1, cuts.expected.value_or(NumberOf(last)));
+      NumbersFrom(last.ElevationNumber() + 1, cuts.expected.value_or(last.ElevationNumber()));
     if (last.rays.back()->ray.radialStatus == RadialStatus::EndOfVolume)
     {
       cuts.end = rest.empty() ? VolumeEnd::LastCut : VolumeEnd::Early;
@@ -305,6 +262,7 @@ private:
   // What the rest of the volume takes, as fast as the last sweep; 0 where that tells no speed.
   Duration TimeLeft(std::size_t cutsLeft) const
   {
+    constexpr double fullTurn = 360.0; // degrees
     const ArrivedSweep& last = cycle.Last();
     const double turned = std::abs(last.turned);
     const Duration taken = last.rays.back()->ray.time - last.rays.front()->ray.time;
@@ -318,13 +276,10 @@ private:
   {
     for (const int number : cuts.pattern ? RepeatedCuts(*cuts.pattern) : std::vector<int>())
     {
-      for (std::size_t i = 0; i < cycle.Size(); ++i)
+      if (std::any_of(cycle.begin(), cycle.end(),
+            [number](const ArrivedSweep& sweep) { return sweep.ElevationNumber() == number; }))
       {
-        if (NumberOf(cycle[i]) == number)
-        {
-          cuts.repeated.push_back(number);
-          break;
-        }
+        cuts.repeated.push_back(number);
       }
     }
   }
@@ -347,7 +302,7 @@ void CheckCuts(const std::vector<ArrivedSweep>& sweeps,
       ++end;
     }
     const Cycle cycle{sweeps, begin, end};
-    VolumeCuts& cuts = volume.cuts.emplace_back(ChoosePattern(sweeps, begin, end, patterns));
+    VolumeCuts& cuts = volume.cuts.emplace_back(ChoosePattern(cycle, volume.sweeps, patterns));
     CycleCheck(cycle, cuts, report).Check();
     begin = end;
   }

@@ -38,11 +38,17 @@ bool HaveOneSender(const ArrivedRay& a, const ArrivedRay& b)
   return a.messageType == b.messageType && a.siteName == b.siteName && HaveOnePosition(a, b);
 }
 
-// Rays of one sender.
+// Rays that have something in common, by the first of them.
 struct Group
 {
-  const ArrivedRay* first;
-  std::size_t rays;
+  void Add(const ArrivedRay& ray)
+  {
+    first = first != nullptr ? first : &ray;
+    ++rays;
+  }
+
+  const ArrivedRay* first = nullptr;
+  std::size_t rays = 0;
 };
 
 std::vector<Group> GroupBySender(const RayList& rays)
@@ -62,10 +68,10 @@ std::vector<Group> GroupBySender(const RayList& rays)
         {
           continue;
         }
-        groups.push_back({ray, 0});
+        groups.emplace_back();
       }
     }
-    ++groups[latest].rays;
+    groups[latest].Add(*ray);
   }
   return groups;
 }
@@ -176,18 +182,6 @@ private:
   std::vector<bool> mayBeOwn;
 };
 
-// Rays that are told in one line, at the first of them.
-struct Counted
-{
-  void Add(const ArrivedRay& ray)
-  {
-    first = first != nullptr ? first : &ray;
-    ++rays;
-  }
-  const ArrivedRay* first = nullptr;
-  std::size_t rays = 0;
-};
-
 std::string NameOf(const ArrivedRay& ray)
 {
   std::ostringstream text;
@@ -200,59 +194,49 @@ std::string NameOf(const ArrivedRay& ray)
   return text.str();
 }
 
-// The rays that are not simply the radar's, by what they are.
-struct OddRays
-{
-  void Report(const ArrivedRay& winner, std::size_t rays, const ArrivedDamage& report) const
-  {
-    const auto tell = [&](const Counted& counted, const std::string& what)
-    {
-      if (counted.rays > 0)
-      {
-        report(*counted.first,
-          std::to_string(counted.rays) + " of " + std::to_string(rays) + " rays " + what);
-      }
-    };
-    tell(names, "state another name of the radar than most do: that of most is used");
-    tell(positions, "state another position of the radar than most do: that of most is used");
-    if (others.rays > 0)
-    {
-      tell(others, "are not of the radar of the file (" + NameOf(winner) +
-                     ") but of another one (" + NameOf(*others.first) + "): left out");
-    }
-  }
-
-  Counted names;     ///< of the radar, under another name
-  Counted positions; ///< of the radar, at another place
-  Counted others;    ///< of other radars
-};
-
-// Leaves in `rays` those of the radar that sent `winner`.
-OddRays KeepRaysOf(const ArrivedRay& winner, RayList& rays)
+// Leaves in `rays` those of the radar that sent `winner`, and reports the others, and those that
+// state another name or position.
+void KeepRaysOf(const ArrivedRay& winner, RayList& rays, const ArrivedDamage& report)
 {
   const OwnRays isOwn(rays, winner);
   RayList own;
-  OddRays odd;
+  Group names;     // of the radar, under another name
+  Group positions; // of the radar, at another place
+  Group others;    // of other radars
   for (std::size_t index = 0; index < rays.size(); ++index)
   {
     const ArrivedRay& ray = *rays[index];
     if (!isOwn[index])
     {
-      odd.others.Add(ray);
+      others.Add(ray);
       continue;
     }
     own.push_back(rays[index]);
     if (ray.siteName != winner.siteName)
     {
-      odd.names.Add(ray);
+      names.Add(ray);
     }
     else if (!HaveOnePosition(ray, winner))
     {
-      odd.positions.Add(ray);
+      positions.Add(ray);
     }
   }
+  const auto tell = [&](const Group& group, const std::string& what)
+  {
+    if (group.rays > 0)
+    {
+      report(*group.first,
+        std::to_string(group.rays) + " of " + std::to_string(rays.size()) + " rays " + what);
+    }
+  };
+  tell(names, "state another name of the radar than most do: that of most is used");
+  tell(positions, "state another position of the radar than most do: that of most is used");
+  if (others.rays > 0)
+  {
+    tell(others, "are not of the radar of the file (" + NameOf(winner) + ") but of another one (" +
+                   NameOf(*others.first) + "): left out");
+  }
   rays = std::move(own);
-  return odd;
 }
 
 } // namespace
@@ -268,9 +252,8 @@ RadarOfRays KeepOneRadar(RayList& rays, const std::string& headerName, const Arr
     [winner](const ArrivedRay* ray) { return HaveOneSender(*ray, *winner); });
   if (!oneSender)
   {
-    const std::size_t all = rays.size();
-    winner = &FindWinner(GroupBySender(rays), all, headerName);
-    KeepRaysOf(*winner, rays).Report(*winner, all, report);
+    winner = &FindWinner(GroupBySender(rays), rays.size(), headerName);
+    KeepRaysOf(*winner, rays, report);
   }
   return {winner->siteName, winner->position};
 }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Level2/Assembly/RayDates.h"
 
-#include "nexrad/Level2/Assembly/ArrivedRay.h"
+#include "nexrad/System/MessageText.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
+#include <unordered_map>
+#include <utility>
 
 namespace nexrad
 {
@@ -13,15 +16,82 @@ namespace nexrad
 namespace
 {
 
-constexpr std::size_t mostInARow = 10; // rays that get the time of a neighbour
-
-void MoveTimes(const RayList& rays, const RayStretch& stretch, Duration by)
+// Rays of a list that stand one behind the other.
+struct RayStretch
 {
-  for (std::size_t i = stretch.begin; i < stretch.end; ++i)
-  {
-    rays[i]->ray.time += by;
-  }
+  std::size_t Size() const { return end - begin; }
+
+  std::size_t begin = 0; // the first ray
+  std::size_t end = 0;   // behind the last ray
+};
+
+bool AreNear(const ArrivedRay& before, const ArrivedRay& after)
+{
+  return after.ray.time - before.ray.time <= LongestStep;
 }
+
+// Cuts a list where the time goes back, or on by more than LongestStep.
+std::vector<RayStretch> CutStretches(const RayList& rays)
+{
+  std::vector<RayStretch> stretches;
+  for (std::size_t i = 0; i < rays.size(); ++i)
+  {
+    const bool goesOn =
+      i > 0 && !IsScannedBefore(*rays[i], *rays[i - 1]) && AreNear(*rays[i - 1], *rays[i]);
+    if (!goesOn)
+    {
+      stretches.push_back({i, i});
+    }
+    stretches.back().end = i + 1;
+  }
+  return stretches;
+}
+
+// The places that the rays of a list have in the order scanned.
+class ScanPlaces
+{
+public:
+  explicit ScanPlaces(const RayList& rays)
+    : ordered(rays)
+  {
+    std::stable_sort(ordered.begin(), ordered.end(),
+      [](const ArrivedRay* a, const ArrivedRay* b) { return IsScannedBefore(*a, *b); });
+    for (std::size_t i = 0; i < ordered.size(); ++i)
+    {
+      places[ordered[i]] = i;
+    }
+  }
+
+  // True when a stretch of the list may stand where its times are: no other ray is between its
+  // rays, and their cuts and numbers go on from the ray before to the ray behind them, one of them
+  // without a loss or both within LongestStep.
+  bool Fit(const RayList& rays, const RayStretch& stretch) const
+  {
+    const ArrivedRay& first = *rays[stretch.begin];
+    const ArrivedRay& last = *rays[stretch.end - 1];
+    const std::size_t place = places.at(&first);
+    const std::size_t end = place + stretch.Size();
+    if (places.at(&last) + 1 != end)
+    {
+      return false;
+    }
+    const ArrivedRay* before = place > 0 ? ordered[place - 1] : nullptr;
+    const ArrivedRay* after = end < ordered.size() ? ordered[end] : nullptr;
+    const bool nearBefore = before != nullptr && AreNear(*before, first);
+    const bool nearAfter = after != nullptr && AreNear(last, *after);
+    const bool mayFollow = before == nullptr || MayFollow(*before, first);
+    const bool mayGoOn = after == nullptr || MayFollow(last, *after);
+    const bool isNext =
+      (nearBefore && IsNext(*before, first)) || (nearAfter && IsNext(last, *after));
+    return mayFollow && mayGoOn && (isNext || (nearBefore && nearAfter));
+  }
+
+private:
+  RayList ordered;
+  std::unordered_map<const ArrivedRay*, std::size_t> places; // in `ordered`
+};
+
+constexpr std::size_t mostInARow = 10; // rays that get the time of a neighbour
 
 // Few rays whose neighbours in the file follow each other in time.
 bool MendFew(const RayList& rays, const std::vector<RayStretch>& stretches, std::size_t index,
@@ -40,7 +110,7 @@ bool MendFew(const RayList& rays, const std::vector<RayStretch>& stretches, std:
   {
     return false;
   }
-  report(first, CountRays(stretch.Size()) + " from " + FormatIso8601(first.ray.time) +
+  report(first, CountText(stretch.Size(), "ray") + " from " + FormatIso8601(first.ray.time) +
                   " on, out of the time of the rays beside them; taken for " +
                   FormatIso8601(before.ray.time));
   for (std::size_t i = stretch.begin; i < stretch.end; ++i)
@@ -65,7 +135,7 @@ void MendStep(const RayList& rays, const RayStretch& after, const ArrivedDamage&
   const bool moveBehind = behind <= after.begin;
   const std::string what = "the clock goes back by " + std::to_string(step.count()) + " ms at " +
                            FormatIso8601(last.ray.time) + "; the " +
-                           CountRays(moveBehind ? behind : after.begin) +
+                           CountText(moveBehind ? behind : after.begin, "ray") +
                            (moveBehind ? " behind that" : " before that") + " are moved";
   if (step > LongestStep)
   {
@@ -75,8 +145,9 @@ void MendStep(const RayList& rays, const RayStretch& after, const ArrivedDamage&
   {
     notes.push_back(what);
   }
-  MoveTimes(rays, moveBehind ? RayStretch{after.begin, rays.size()} : RayStretch{0, after.begin},
-    moveBehind ? step : -step);
+  const auto from = rays.begin() + static_cast<std::ptrdiff_t>(after.begin);
+  std::for_each(moveBehind ? from : rays.begin(), moveBehind ? rays.end() : from,
+    [by = moveBehind ? step : -step](ArrivedRay* ray) { ray->ray.time += by; });
 }
 
 } // namespace
@@ -149,7 +220,7 @@ void GoOnAtMidnight(const RayList& rays, std::vector<std::string>& notes)
   }
   if (mended > 0)
   {
-    notes.push_back("the date does not go on at midnight: " + CountRays(mended) +
+    notes.push_back("the date does not go on at midnight: " + CountText(mended, "ray") +
                     " get the date of the next day");
   }
 }
@@ -303,8 +374,7 @@ public:
     }
   }
 
-  RayList LeftOut() const { return this->Those(false); }
-  RayList Right() const { return this->Those(true); }
+  bool IsRight(std::size_t index) const { return isRight[index]; }
 
 private:
   void Accept(const TimeGroup& group)
@@ -313,19 +383,6 @@ private:
     {
       isRight[i] = isRight[i] || group.Has(rays[i]->ray.time);
     }
-  }
-
-  RayList Those(bool right) const
-  {
-    RayList those;
-    for (std::size_t i = 0; i < rays.size(); ++i)
-    {
-      if (isRight[i] == right)
-      {
-        those.push_back(rays[i]);
-      }
-    }
-    return those;
   }
 
   bool MendOne(const ArrivedRay* before, const RayStretch& stretch, const ArrivedRay* after)
@@ -354,7 +411,7 @@ private:
       time = dayFits ? time + shift : beside;
       isRight[i] = true;
     }
-    report(first, (stretch.Size() == 1 ? "a ray" : CountRays(stretch.Size())) +
+    report(first, (stretch.Size() == 1 ? "a ray" : CountText(stretch.Size(), "ray")) +
                     std::string(" of ") + FormatIso8601(old) +
                     ", hours from the other rays of the file; taken for " +
                     FormatIso8601(first.ray.time));
@@ -380,15 +437,20 @@ void MendDates(RayList& rays, std::optional<Time> headerTime, const ArrivedDamag
   GoOnAtMidnight(rays, notes);
   RightTimes times(rays, headerTime, report);
   times.Mend();
-  const RayList leftOut = times.LeftOut();
+  RayList right;
+  RayList leftOut;
+  for (std::size_t i = 0; i < rays.size(); ++i)
+  {
+    (times.IsRight(i) ? right : leftOut).push_back(rays[i]);
+  }
   if (!leftOut.empty())
   {
-    report(*leftOut.front(), CountRays(leftOut.size()) + " of " +
+    report(*leftOut.front(), CountText(leftOut.size(), "ray") + " of " +
                                FormatIso8601(leftOut.front()->ray.time) +
                                (leftOut.size() == 1 ? "" : " and other times") +
                                ", an hour or more from the other rays of the file: left out");
   }
-  rays = times.Right();
+  rays = std::move(right);
 }
 
 } // namespace nexrad

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Level2/Assembly/RayOrder.h"
 
-#include "nexrad/Level2/Assembly/ArrivedRay.h"
 #include "nexrad/Level2/Assembly/RayDates.h"
+#include "nexrad/System/MessageText.h"
 
 #include <algorithm>
 #include <chrono>
@@ -16,10 +16,15 @@ namespace nexrad
 namespace
 {
 
+// What two copies of one ray have in common.
+auto IdentityOf(const ArrivedRay& ray)
+{
+  return std::tie(ray.ray.time, ray.ray.elevationNumber, ray.azimuthNumber, ray.ray.azimuth);
+}
+
 bool AreTheSame(const ArrivedRay& a, const ArrivedRay& b)
 {
-  return std::tie(a.ray.time, a.ray.elevationNumber, a.azimuthNumber, a.ray.azimuth) ==
-         std::tie(b.ray.time, b.ray.elevationNumber, b.azimuthNumber, b.ray.azimuth);
+  return IdentityOf(a) == IdentityOf(b);
 }
 
 bool AreInOrder(const ArrivedRay* a, const ArrivedRay* b)
@@ -68,11 +73,7 @@ void RemoveRepeated(RayList& rays, std::vector<std::string>& notes)
 {
   RayList sorted = rays;
   std::stable_sort(sorted.begin(), sorted.end(),
-    [](const ArrivedRay* a, const ArrivedRay* b)
-    {
-      return std::tie(a->ray.time, a->ray.elevationNumber, a->azimuthNumber, a->ray.azimuth) <
-             std::tie(b->ray.time, b->ray.elevationNumber, b->azimuthNumber, b->ray.azimuth);
-    });
+    [](const ArrivedRay* a, const ArrivedRay* b) { return IdentityOf(*a) < IdentityOf(*b); });
   std::unordered_set<const ArrivedRay*> repeated;
   const ArrivedRay* kept = nullptr;
   for (const ArrivedRay* ray : sorted)
@@ -88,7 +89,8 @@ void RemoveRepeated(RayList& rays, std::vector<std::string>& notes)
   if (!repeated.empty())
   {
     Remove(repeated, rays);
-    notes.push_back(CountRays(repeated.size()) + (repeated.size() == 1 ? " comes" : " come") +
+    notes.push_back(CountText(repeated.size(), "ray") +
+                    (repeated.size() == 1 ? " comes" : " come") +
                     " more than once in the file, and each counts once");
   }
 }
@@ -173,21 +175,21 @@ std::vector<Chain> FindIntruders(std::vector<Chain> chains)
 {
   constexpr std::size_t fewestRays = 10; // fewer may be rays of a wrong number
   std::vector<Chain> intruders;
-  std::vector<Chain> kept; // the last one at the time
+  Chain kept; // the last one at the time
   for (Chain& chain : chains)
   {
     if (chain.size() < fewestRays)
     {
       continue;
     }
-    if (kept.empty() || kept.back().back()->ray.time <= chain.front()->ray.time)
+    if (kept.empty() || kept.back()->ray.time <= chain.front()->ray.time)
     {
-      kept = {std::move(chain)};
+      kept = std::move(chain);
       continue;
     }
-    if (chain.size() > kept.back().size())
+    if (chain.size() > kept.size())
     {
-      std::swap(chain, kept.back());
+      std::swap(chain, kept);
     }
     intruders.push_back(std::move(chain));
   }
@@ -208,7 +210,7 @@ void RemoveIntruders(RayList& sorted, RayList& rays, const ArrivedDamage& report
   if (!intruders.empty() && intruders.size() * share <= rays.size())
   {
     report(*chains.front().front(),
-      CountRays(intruders.size()) + " at the time of another cut with more rays: left out");
+      CountText(intruders.size(), "ray") + " at the time of another cut with more rays: left out");
     Remove(intruders, sorted);
     Remove(intruders, rays);
   }
@@ -225,7 +227,7 @@ void SortRays(RayList& rays, std::vector<std::string>& notes, const ArrivedDamag
   if (misplaced > 0 && CountBreaks(sorted) <= CountBreaks(rays))
   {
     rays = std::move(sorted);
-    notes.push_back(CountRays(misplaced) + (misplaced == 1 ? " is" : " are") +
+    notes.push_back(CountText(misplaced, "ray") + (misplaced == 1 ? " is" : " are") +
                     " out of order in the file, and put where time, cut and number say");
   }
 }

@@ -15,7 +15,7 @@ namespace nexrad
 ///
 /// - A ray that comes twice (time, cut, azimuth number and azimuth are equal) counts once, that of
 ///   the two with more gates: a note has their number.
-/// - Times that are wrong are mended (RayDates.h, RayClock.h), and rays of other hours are left
+/// - Times that are wrong are mended (RayDates.h), and rays of other hours are left
 ///   out.
 /// - Rays that stand elsewhere in the file go where their time, cut and number say: a note has
 ///   their number. They stay where cuts and numbers go on better in the file than in time.

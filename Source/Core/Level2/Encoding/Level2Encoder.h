@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Level2/Encoding/MessageWriter.h"
 #include "nexrad/Model/RadarVolume.h"
 
 #include <cstdint>
@@ -9,10 +8,6 @@
 
 namespace nexrad
 {
-
-/// The metadata that begins a file: 134 frames, of which the last hold the mark of a synthetic
-/// volume, message 5 and message 2; the others are empty.
-std::vector<MessageBytes> WriteMetadata(const RadarVolume& volume, Time start);
 
 /// How the messages of a file are packed.
 enum class Level2Container
@@ -31,7 +26,7 @@ struct Level2EncoderOptions
 };
 
 /// Writes a volume as a Level II file (ICD 2620002 and 2620010): volume header, metadata with
-/// message 5 and message 2 (and the mark of a synthetic volume, SyntheticMark.h), then the rays.
+/// message 5 and message 2 (and the mark of a synthetic volume, IsSyntheticMark), then the rays.
 /// What DecodeLevel2 reads back has the same rays, words, times (to the millisecond) and angles (to
 /// the resolution of the message type). Throws Error when the message type cannot hold the volume
 /// (a moment, a word size, too many gates, a date, for message 31 a missing position), or an option

@@ -33,7 +33,6 @@ std::optional<VolumeHeader> ParseVolumeHeader(ByteView stream)
     return std::nullopt;
   }
   VolumeHeader header;
-  header.version.assign(stream.Data(), stream.Data() + 8);
   const std::uint32_t days = stream.U32(12);
   // Day 1, the first of January 1970, is what a clock that was never set says.
   if (days > 1 && days <= 40'000)

@@ -16,7 +16,6 @@ struct VolumeHeader
 {
   static constexpr std::size_t bytes = 24;
 
-  std::string version;      ///< "ARCHIVE2" or "AR2V0006"
   std::optional<Time> time; ///< empty when the header has no date
   std::string siteName;     ///< "" when it is blank
 };

@@ -1,15 +1,59 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Level2/Messages/RadialMessages.h"
+#include "nexrad/Level2/Messages/MessageBodies.h"
 
 #include "nexrad/Level2/Messages/VolumeHeader.h"
 
 #include <cmath>
+#include <cstdlib>
 
 namespace nexrad
 {
 
 namespace
 {
+
+// What a code of messages 1 and 31 stands for: m/s of the Nyquist velocity, m of a range.
+constexpr double nyquistPerCode = 0.01;
+constexpr float rangePerCode = 100.0F;
+constexpr std::uint8_t lastRadialStatus = 5;
+constexpr std::uint8_t lastElevationNumber = 32; // ICD 2620002, tables III and XVII-A
+
+bool IsWithin(float angle, float lowest, float highest)
+{
+  return std::isfinite(angle) && angle >= lowest && angle <= highest;
+}
+
+// What every ray must have. Throws MessageError.
+void CheckRay(const Ray& ray)
+{
+  if (!IsWithin(ray.azimuth, 0.0F, 360.0F))
+  {
+    throw MessageError("a ray whose azimuth is not within 0 to 360 degrees");
+  }
+  if (!IsWithin(ray.elevation, -10.0F, 90.0F))
+  {
+    throw MessageError("a ray whose elevation is not within -10 to 90 degrees");
+  }
+  if (ray.elevationNumber < 1 || ray.elevationNumber > lastElevationNumber)
+  {
+    throw MessageError("a ray whose elevation number is not within 1 to 32");
+  }
+  if (ray.radialStatus > lastRadialStatus)
+  {
+    throw MessageError("a ray whose radial status is not within 0 to 5");
+  }
+}
+
+Time CheckedTime(std::uint32_t day, std::uint32_t milliseconds)
+{
+  constexpr std::uint32_t lastDay = 40'000;                // in the year 2079
+  constexpr std::uint32_t longestDay = 86'400'000 + 1'000; // with a leap second
+  if (day < 1 || day > lastDay || milliseconds >= longestDay)
+  {
+    throw MessageError("a ray whose date or time of day cannot be");
+  }
+  return FromLevel2Date(day, milliseconds);
+}
 
 constexpr double degreesPerCode = 180.0 / 32768.0;
 
@@ -61,10 +105,10 @@ void DecodeMoment(const MomentLayout& layout, ByteView body, DecodedRay& decoded
   SetScale(row, layout.name, body);
 }
 
-float DecodeElevation(unsigned code)
+double DecodeElevation(unsigned code)
 {
   const double angle = code * degreesPerCode;
-  return static_cast<float>(angle > 180.0 ? angle - 360.0 : angle);
+  return angle > 180.0 ? angle - 360.0 : angle;
 }
 
 } // namespace
@@ -74,10 +118,10 @@ DecodedRay DecodeMessage1(ByteView body)
   DecodedRay decoded;
   Ray& ray = decoded.ray;
   ray.time = CheckedTime(body.U16(4), body.U32(0));
-  ray.unambiguousRange = body.U16(6) * RangePerCode;
+  ray.unambiguousRange = body.U16(6) * rangePerCode;
   ray.azimuth = static_cast<float>(body.U16(8) * degreesPerCode);
   decoded.azimuthNumber = body.U16(10);
-  ray.elevation = DecodeElevation(body.U16(14));
+  ray.elevation = static_cast<float>(DecodeElevation(body.U16(14)));
   const unsigned status = body.U16(12);
   const unsigned elevationNumber = body.U16(16);
   // Saturated, so that a number too large for a byte fails its check.
@@ -85,7 +129,7 @@ DecodedRay DecodeMessage1(ByteView body)
   ray.elevationNumber = static_cast<std::uint8_t>(elevationNumber > 255 ? 255 : elevationNumber);
   CheckRay(ray);
   decoded.coveragePatternNumber = body.U16(44);
-  ray.nyquist = static_cast<float>(body.U16(60) * NyquistPerCode);
+  ray.nyquist = static_cast<float>(body.U16(60) * nyquistPerCode);
   for (const MomentLayout& layout : layouts)
   {
     DecodeMoment(layout, body, decoded);
@@ -191,8 +235,8 @@ void DecodeBlock(ByteView block, DecodedRay& decoded)
   }
   else if (name == "RAD" && block.Has(0, radialBlockBytes))
   {
-    decoded.ray.unambiguousRange = block.U16(6) * RangePerCode;
-    decoded.ray.nyquist = static_cast<float>(block.U16(16) * NyquistPerCode);
+    decoded.ray.unambiguousRange = block.U16(6) * rangePerCode;
+    decoded.ray.nyquist = static_cast<float>(block.U16(16) * nyquistPerCode);
   }
 }
 
@@ -244,6 +288,73 @@ DecodedRay DecodeMessage31(ByteView body)
   }
   DecodeBlocks(body, decoded);
   return decoded;
+}
+
+std::optional<RadarStatus> DecodeMessage2(ByteView body)
+{
+  constexpr std::size_t usedBytes = 20;
+  if (!body.Has(0, usedBytes))
+  {
+    return std::nullopt;
+  }
+  RadarStatus status;
+  // Negative when the pattern was chosen at the radar.
+  status.coveragePatternNumber = std::abs(int(body.I16(14)));
+  // Hundredths since build 11; tenths before, when that gives no build below 2.
+  const double build = body.U16(18);
+  status.softwareBuild = build / 100.0 > 2.0 ? build / 100.0 : build / 10.0;
+  return status;
+}
+
+namespace
+{
+
+constexpr std::size_t patternHeaderBytes = 22;
+constexpr std::size_t cutBytes = 46;
+constexpr double rateOfHighestBit = 22.5; // degrees a second, bit 14; bit 15 is the sign
+constexpr double ratePerCode = rateOfHighestBit / 16384.0;
+constexpr unsigned halfDegreeAzimuths = 1;
+
+CoverageCut DecodeCut(ByteView cut)
+{
+  CoverageCut result;
+  result.elevation = DecodeElevation(cut.U16(0));
+  const unsigned waveform = cut.U8(3);
+  result.waveform = waveform <= static_cast<unsigned>(Waveform::StaggeredPulsePair)
+                      ? static_cast<Waveform>(waveform)
+                      : Waveform::Unknown;
+  result.superResolution = (cut.U8(4) & halfDegreeAzimuths) != 0;
+  result.azimuthRate = cut.I16(8) * ratePerCode;
+  return result;
+}
+
+} // namespace
+
+std::optional<CoveragePattern> DecodeMessage5(ByteView body)
+{
+  if (!body.Has(0, patternHeaderBytes))
+  {
+    return std::nullopt;
+  }
+  const unsigned cuts = body.U16(6);
+  if (cuts == 0 || body.U16(4) == 0 || !body.Has(patternHeaderBytes, cutBytes * cuts) ||
+      std::size_t(2) * body.U16(0) < patternHeaderBytes + cutBytes * cuts)
+  {
+    return std::nullopt;
+  }
+  CoveragePattern pattern;
+  pattern.number = body.U16(4);
+  for (unsigned index = 0; index < cuts; ++index)
+  {
+    pattern.cuts.push_back(DecodeCut(body.Sub(patternHeaderBytes + cutBytes * index, cutBytes)));
+  }
+  return pattern;
+}
+
+bool IsSyntheticMark(ByteView body)
+{
+  return body.Has(0, 2) && body.U16(0) >= SyntheticMarkText.size() &&
+         body.StartsWith(SyntheticMarkText.data(), 2);
 }
 
 } // namespace nexrad

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Model/SiteKey.h"
+#include "nexrad/Model/Site.h"
 
 #include <cmath>
 #include <tuple>
