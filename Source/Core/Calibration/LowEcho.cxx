@@ -7,8 +7,6 @@
 #include "nexrad/Polar/SweepPairing.h"
 #include "nexrad/System/Error.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -183,18 +181,14 @@ LowEcho::LowEcho(const PolarVolume& volume)
   cells.shrink_to_fit();
 }
 
-std::uint16_t LowEcho::IndexOf(int layer, int sector, int ring) const
-{
-  return static_cast<std::uint16_t>(((layer - firstLayer) * Sectors + sector) * Rings + ring);
-}
-
 std::optional<int> LowEcho::At(int layer, int sector, int ring) const
 {
   if (layer < firstLayer || layer >= firstLayer + layers)
   {
     return std::nullopt;
   }
-  const std::uint16_t index = this->IndexOf(layer, sector, ring);
+  const auto index =
+    static_cast<std::uint16_t>(((layer - firstLayer) * Sectors + sector) * Rings + ring);
   const auto cell = std::lower_bound(cells.begin(), cells.end(), index,
     [](const auto& each, std::uint16_t wanted) { return each.first < wanted; });
   return cell != cells.end() && cell->first == index ? std::optional<int>(cell->second)
@@ -209,50 +203,6 @@ bool LowEcho::HasValue(int sector, int ring) const
     found = this->At(layer, sector, ring).has_value();
   }
   return found;
-}
-
-std::string LowEcho::Pack() const
-{
-  std::vector<int> flat;
-  for (const auto& [index, value] : cells)
-  {
-    flat.push_back(index);
-    flat.push_back(value);
-  }
-  const nlohmann::json packed = {{"site", site.name},
-    {"position", {site.position->latitude, site.position->longitude, site.position->altitude}},
-    {"start", start.time_since_epoch().count()}, {"time", time.time_since_epoch().count()},
-    {"firstLayer", firstLayer}, {"layers", layers}, {"cells", flat}};
-  const std::vector<std::uint8_t> bytes = nlohmann::json::to_cbor(packed);
-  return {bytes.begin(), bytes.end()};
-}
-
-LowEcho LowEcho::Unpack(const std::string& bytes)
-{
-  try
-  {
-    const nlohmann::json packed = nlohmann::json::from_cbor(bytes);
-    LowEcho echo;
-    echo.site.name = packed.at("site");
-    const nlohmann::json& position = packed.at("position");
-    echo.site.position = Position{position.at(0), position.at(1), position.at(2)};
-    echo.start = Time(Duration(packed.at("start").get<Duration::rep>()));
-    echo.time = Time(Duration(packed.at("time").get<Duration::rep>()));
-    echo.firstLayer = packed.at("firstLayer");
-    echo.layers = packed.at("layers");
-    const auto flat = packed.at("cells").get<std::vector<int>>();
-    for (std::size_t i = 0; i + 1 < flat.size(); i += 2)
-    {
-      echo.cells.emplace_back(
-        static_cast<std::uint16_t>(flat[i]), static_cast<std::int16_t>(flat[i + 1]));
-    }
-    return echo;
-  }
-  catch (const nlohmann::json::exception& error)
-  {
-    throw Error(
-      std::string("what another process says of its radars cannot be read: ") + error.what());
-  }
 }
 
 } // namespace nexrad

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -19,9 +18,8 @@ namespace nexrad
 /// A cell is a sector of azimuth by a ring along the ground by a layer of height above mean sea
 /// level. Its value is the mean of Z over the gates in it. Only cells in which each gate has a
 /// value have one, and only from LeastValue on.
-class LowEcho
+struct LowEcho
 {
-public:
   static constexpr double Bottom = 1'000.0; ///< m above the antenna
   static constexpr double Top = 3'000.0;    ///< m above the antenna
   static constexpr int Sectors = 180;       ///< of 2 degrees
@@ -31,25 +29,21 @@ public:
   static constexpr double NearestGate = 20'000.0; ///< m along the ground; nearer ones do not count
   static constexpr double LeastValue = 5.0;       ///< dBZ
 
-  /// Without cells.
+  Site site;          ///< the radar; it has a position
+  Time start{};       ///< first ray of the volume
+  Time time{};        ///< mean time of the gates that may count
+  int firstLayer = 0; ///< lowest layer that some cell may be in; layer 0 begins at mean sea level
+  int layers = 0;
+  /// Index ((layer − firstLayer) · Sectors + sector) · Rings + ring and value, hundredths of dBZ,
+  /// of the cells that have one, by index.
+  std::vector<std::pair<std::uint16_t, std::int16_t>> cells;
+
   LowEcho() = default;
 
   /// The cells of a volume of REF at a site with a position. Rays that stray from their cut do not
-  /// count, nor do the Doppler halves of split cuts.
+  /// count, nor do the Doppler halves of split cuts. Throws Error for another moment, or without a
+  /// position.
   explicit LowEcho(const PolarVolume& volume);
-
-  /// The radar. It has a position.
-  const Site& Radar() const { return site; }
-  /// First ray of the volume.
-  Time Start() const { return start; }
-  /// Mean time of the gates that may count.
-  Time MeanTime() const { return time; }
-  bool IsEmpty() const { return cells.empty(); }
-
-  /// Lowest layer that some cell may be in. Layer 0 begins at mean sea level.
-  int FirstLayer() const { return firstLayer; }
-  /// One past the highest layer.
-  int EndLayer() const { return firstLayer + layers; }
 
   /// Value of a cell, hundredths of dBZ; empty where it has none. The sector is 0…Sectors − 1, the
   /// ring 0…Rings − 1.
@@ -57,21 +51,6 @@ public:
 
   /// Whether a cell of some layer has a value.
   bool HasValue(int sector, int ring) const;
-
-  /// The same as bytes, for another process.
-  std::string Pack() const;
-  /// Throws Error when the bytes are none of Pack.
-  static LowEcho Unpack(const std::string& bytes);
-
-private:
-  std::uint16_t IndexOf(int layer, int sector, int ring) const;
-
-  Site site;
-  Time start{};
-  Time time{};
-  int firstLayer = 0;
-  int layers = 0;
-  std::vector<std::pair<std::uint16_t, std::int16_t>> cells; // index and value, by index
 };
 
 } // namespace nexrad

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Calibration/RadarBiases.h"
 
+#include "nexrad/Geometry/SiteGeoreference.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <numeric>
+#include <iterator>
 #include <optional>
+#include <utility>
 
 namespace nexrad
 {
@@ -70,10 +74,11 @@ double MedianOfBiases(std::vector<double> biases)
   return biases.size() % 2 == 1 ? biases[half] : 0.5 * (biases[half - 1] + biases[half]);
 }
 
-// The radars that stated pairs connect, in groups, each in the order of the alphabet.
-std::vector<std::vector<std::string>> FindGroups(const std::vector<BiasPair>& pairs)
+// The radars that stated pairs connect, in groups by the first of their radars, each in the order
+// of the alphabet.
+std::map<std::string, std::vector<std::string>> FindGroups(const std::vector<BiasPair>& pairs)
 {
-  std::map<std::string, std::string> leaders; // a group is named by its first radar
+  std::map<std::string, std::string> leaders; // the first radar of the group of each
   for (const BiasPair& pair : pairs)
   {
     leaders.emplace(pair.first, pair.first);
@@ -90,41 +95,34 @@ std::vector<std::vector<std::string>> FindGroups(const std::vector<BiasPair>& pa
   {
     groups[leader].push_back(site);
   }
-  std::vector<std::vector<std::string>> list;
-  for (auto& [leader, sites] : groups)
-  {
-    list.push_back(std::move(sites));
-  }
-  return list;
+  return groups;
 }
 
 // The biases of one group, which the pairs connect.
 std::vector<double> SolveGroup(
   const std::vector<std::string>& sites, const std::vector<BiasPair>& pairs)
 {
-  const auto indexOf = [&sites](const std::string& site) -> std::optional<std::size_t>
+  const auto indexOf = [&sites](const std::string& site)
   {
-    const auto found = std::lower_bound(sites.begin(), sites.end(), site);
-    return found != sites.end() && *found == site
-             ? std::optional<std::size_t>(static_cast<std::size_t>(found - sites.begin()))
-             : std::nullopt;
+    return static_cast<std::size_t>(
+      std::lower_bound(sites.begin(), sites.end(), site) - sites.begin());
   };
   // Normal equations. That the sum be 0 is one more equation, which makes the solution unique.
   Matrix matrix(sites.size(), std::vector<double>(sites.size(), 1.0));
   std::vector<double> right(sites.size(), 0.0);
   for (const BiasPair& pair : pairs)
   {
-    const std::optional<std::size_t> first = indexOf(pair.first);
-    const std::optional<std::size_t> second = indexOf(pair.second);
-    if (first && second)
+    if (std::binary_search(sites.begin(), sites.end(), pair.first)) // and so is the second
     {
+      const std::size_t first = indexOf(pair.first);
+      const std::size_t second = indexOf(pair.second);
       const auto weight = static_cast<double>(pair.cells);
-      matrix[*first][*first] += weight;
-      matrix[*second][*second] += weight;
-      matrix[*first][*second] -= weight;
-      matrix[*second][*first] -= weight;
-      right[*first] += weight * pair.median;
-      right[*second] -= weight * pair.median;
+      matrix[first][first] += weight;
+      matrix[second][second] += weight;
+      matrix[first][second] -= weight;
+      matrix[second][first] -= weight;
+      right[first] += weight * pair.median;
+      right[second] -= weight * pair.median;
     }
   }
   std::vector<double> biases = Solve(matrix, right);
@@ -142,14 +140,209 @@ std::string Print(const char* format, Values... values)
   return text;
 }
 
-// `part` of the whole text names one radar and its bias.
-void AddBias(const std::string& part, const std::string& text, RadarBiases& biases)
+// The comparison of volumes.
+
+constexpr double leastRatio = 0.8; // of the distances of two radars; the largest is its inverse
+constexpr double leastEcho = 15.0; // dBZ
+constexpr Duration longestTime = std::chrono::minutes(5); // between two volumes
+
+// The volumes of one radar, by time.
+using RadarVolumes = std::vector<const LowEcho*>;
+
+// A place that two radars see from like distances: the cell of each above it.
+struct SharedPlace
 {
-  const auto [site, bias] = ParseBias(part);
-  if (!biases.emplace(site, bias).second)
+  int sector;
+  int ring;
+  int sectorOfOther;
+  int ringOfOther;
+};
+
+// Values that two radars have of one place, hundredths of dBZ.
+using ValuePair = std::pair<int, int>;
+
+int SectorOf(double azimuth)
+{
+  return std::min(static_cast<int>(azimuth * LowEcho::Sectors / 360.0), LowEcho::Sectors - 1);
+}
+
+double MiddleOf(int ring)
+{
+  return (ring + 0.5) * LowEcho::RingWidth;
+}
+
+// Two volumes of two radars that are near in time.
+using VolumePair = std::pair<const LowEcho*, const LowEcho*>;
+
+// The places that two radars see from like distances, one for each cell over which some volume of
+// the first has a value.
+std::vector<SharedPlace> FindSharedPlaces(const std::vector<VolumePair>& volumes)
+{
+  const SiteGeoreference here(*volumes.front().first->site.position);
+  const SiteGeoreference there(*volumes.front().second->site.position);
+  constexpr double farthest = LowEcho::Rings * LowEcho::RingWidth;
+  std::vector<SharedPlace> places;
+  for (int sector = 0; sector < LowEcho::Sectors; ++sector)
   {
-    throw Error("radar " + site + " has two biases in '" + text + "'; give one");
+    const double azimuth = (sector + 0.5) * 360.0 / LowEcho::Sectors;
+    for (int ring = 0; ring < LowEcho::Rings; ++ring)
+    {
+      const double distance = MiddleOf(ring);
+      const auto hasValue = [sector, ring](const VolumePair& pair)
+      { return pair.first->HasValue(sector, ring); };
+      if (distance < LowEcho::NearestGate || std::none_of(volumes.begin(), volumes.end(), hasValue))
+      {
+        continue;
+      }
+      const std::array<double, 2> place = here.Locate({azimuth, distance});
+      const GroundDirection other = there.Look(place[0], place[1]);
+      const double ratio = distance / other.groundDistance;
+      if (ratio >= leastRatio && ratio <= 1.0 / leastRatio && other.groundDistance < farthest)
+      {
+        places.push_back({sector, ring, SectorOf(other.azimuth),
+          static_cast<int>(other.groundDistance / LowEcho::RingWidth)});
+      }
+    }
   }
+  return places;
+}
+
+// Whether the circles within which two radars have cells overlap.
+bool AreNeighbours(const Position& first, const Position& second)
+{
+  constexpr double farthest = LowEcho::Rings * LowEcho::RingWidth;
+  return SiteGeoreference(first).Look(second.longitude, second.latitude).groundDistance <=
+         2.0 * farthest;
+}
+
+// The volume nearest to another in time; the earlier of two that are equally near.
+const LowEcho* NearestInTime(const RadarVolumes& volumes, const LowEcho& other)
+{
+  const auto apart = [&other](const LowEcho* volume)
+  { return std::chrono::abs(volume->time - other.time); };
+  return *std::min_element(volumes.begin(), volumes.end(),
+    [&apart](const LowEcho* a, const LowEcho* b) { return apart(a) < apart(b); });
+}
+
+// Adds the places where both volumes have a value.
+void AddValues(const LowEcho& first, const LowEcho& second, const std::vector<SharedPlace>& places,
+  std::vector<ValuePair>& values)
+{
+  const int begin = std::max(first.firstLayer, second.firstLayer);
+  const int end = std::min(first.firstLayer + first.layers, second.firstLayer + second.layers);
+  for (const SharedPlace& place : places)
+  {
+    for (int layer = begin; layer < end; ++layer)
+    {
+      const std::optional<int> own = first.At(layer, place.sector, place.ring);
+      const std::optional<int> other =
+        own ? second.At(layer, place.sectorOfOther, place.ringOfOther) : std::nullopt;
+      if (other)
+      {
+        values.emplace_back(*own, *other);
+      }
+    }
+  }
+}
+
+// The value below which a share of the differences lies, dB.
+double QuantileOf(std::vector<int>& differences, double share)
+{
+  const auto place = differences.begin() +
+                     static_cast<std::ptrdiff_t>(share * static_cast<double>(differences.size()));
+  std::nth_element(differences.begin(), place, differences.end());
+  return 0.01 * *place;
+}
+
+// Differences of the values that are above 15 dBZ when half of the bias is taken off each of them.
+// Without that, of weak echo too few values of the lower radar would count.
+std::vector<int> DifferencesOf(const std::vector<ValuePair>& values, double bias)
+{
+  std::vector<int> differences;
+  for (const auto& [first, second] : values)
+  {
+    if (0.01 * first - 0.5 * bias > leastEcho && 0.01 * second + 0.5 * bias > leastEcho)
+    {
+      differences.push_back(first - second);
+    }
+  }
+  return differences;
+}
+
+void SetQuantiles(const std::vector<ValuePair>& values, BiasPair& pair)
+{
+  constexpr int passes = 3; // then the bias by which values are chosen is the one that is found
+  for (int pass = 0; pass < passes; ++pass)
+  {
+    std::vector<int> differences = DifferencesOf(values, pair.median);
+    pair.cells = differences.size();
+    if (differences.empty())
+    {
+      return;
+    }
+    pair.median = QuantileOf(differences, 0.5);
+    pair.lowerQuartile = QuantileOf(differences, 0.25);
+    pair.upperQuartile = QuantileOf(differences, 0.75);
+  }
+}
+
+// Each volume of one radar with the one of another that is nearest to it in time, where it is the
+// nearest to that one too.
+std::vector<VolumePair> PairInTime(const RadarVolumes& first, const RadarVolumes& second)
+{
+  std::vector<VolumePair> pairs;
+  for (const LowEcho* volume : first)
+  {
+    const LowEcho* other = NearestInTime(second, *volume);
+    if (NearestInTime(first, *other) == volume &&
+        std::chrono::abs(volume->time - other->time) <= longestTime)
+    {
+      pairs.emplace_back(volume, other);
+    }
+  }
+  return pairs;
+}
+
+BiasPair Compare(const RadarVolumes& first, const RadarVolumes& second)
+{
+  const Site& radar = first.front()->site;
+  const Site& other = second.front()->site;
+  BiasPair pair{radar.name, other.name};
+  const std::vector<VolumePair> volumes = AreNeighbours(*radar.position, *other.position)
+                                            ? PairInTime(first, second)
+                                            : std::vector<VolumePair>();
+  if (volumes.empty())
+  {
+    return pair;
+  }
+  pair.volumes = volumes.size();
+  const std::vector<SharedPlace> places = FindSharedPlaces(volumes);
+  std::vector<ValuePair> values;
+  for (const VolumePair& each : volumes)
+  {
+    AddValues(*each.first, *each.second, places, values);
+  }
+  SetQuantiles(values, pair);
+  return pair;
+}
+
+// The volumes of each radar with a name.
+std::map<std::string, RadarVolumes> GroupByRadar(const LowEchoes& volumes)
+{
+  std::map<std::string, RadarVolumes> radars;
+  for (const std::shared_ptr<const LowEcho>& volume : volumes)
+  {
+    if (!volume->site.name.empty())
+    {
+      radars[volume->site.name].push_back(volume.get());
+    }
+  }
+  for (auto& [name, own] : radars)
+  {
+    std::sort(own.begin(), own.end(),
+      [](const LowEcho* a, const LowEcho* b) { return a->start < b->start; });
+  }
+  return radars;
 }
 
 } // namespace
@@ -160,7 +353,11 @@ RadarBiases ParseBiases(const std::string& text)
   for (std::size_t begin = 0; begin <= text.size();)
   {
     const std::size_t comma = std::min(text.find(',', begin), text.size());
-    AddBias(text.substr(begin, comma - begin), text, biases);
+    const auto [site, bias] = ParseBias(text.substr(begin, comma - begin));
+    if (!biases.emplace(site, bias).second)
+    {
+      throw Error("radar " + site + " has two biases in '" + text + "'; give one");
+    }
     begin = comma + 1;
   }
   return biases;
@@ -205,7 +402,7 @@ RadarBiases ReconcileBiases(const std::vector<BiasPair>& pairs)
   std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(stated),
     [](const BiasPair& pair) { return pair.IsStated(); });
   RadarBiases biases;
-  for (const std::vector<std::string>& sites : FindGroups(stated))
+  for (const auto& [leader, sites] : FindGroups(stated))
   {
     const std::vector<double> solved = SolveGroup(sites, stated);
     for (std::size_t i = 0; i < sites.size(); ++i)
@@ -214,6 +411,36 @@ RadarBiases ReconcileBiases(const std::vector<BiasPair>& pairs)
     }
   }
   return biases;
+}
+
+BiasReport CompareRadars(const LowEchoes& volumes)
+{
+  const std::map<std::string, RadarVolumes> radars = GroupByRadar(volumes);
+  BiasReport report;
+  if (radars.size() < 2)
+  {
+    return report;
+  }
+  for (auto first = radars.begin(); first != radars.end(); ++first)
+  {
+    for (auto second = std::next(first); second != radars.end(); ++second)
+    {
+      BiasPair pair = Compare(first->second, second->second);
+      if (pair.cells > 0)
+      {
+        report.pairs.push_back(std::move(pair));
+      }
+    }
+  }
+  report.biases = ReconcileBiases(report.pairs);
+  for (const auto& [name, own] : radars)
+  {
+    if (report.biases.count(name) == 0)
+    {
+      report.alone.push_back(name);
+    }
+  }
+  return report;
 }
 
 std::vector<std::string> BiasReport::Lines() const

@@ -8,8 +8,10 @@ namespace nexrad
 
 constexpr double Pi = 3.14159265358979323846;
 constexpr double RadiansPerDegree = Pi / 180.0;
-/// Length of a degree of latitude on a sphere of 6371 km, m.
-constexpr double MetresPerDegree = 6'371'000.0 * RadiansPerDegree;
+/// Radius of a sphere that stands for the earth, m.
+constexpr double EarthRadius = 6'371'000.0;
+/// Length of a degree of latitude on it, m.
+constexpr double MetresPerDegree = EarthRadius * RadiansPerDegree;
 
 /// A direction in degrees as 0 to below 360.
 inline double ToFullTurn(double degrees)

@@ -11,15 +11,8 @@
 namespace nexrad
 {
 
-namespace
-{
-
-constexpr double earthRadius = 6'371'000.0; // m
-
-} // namespace
-
 BeamModel::BeamModel(double effectiveRadiusFactor)
-  : effectiveRadius(effectiveRadiusFactor * earthRadius)
+  : effectiveRadius(effectiveRadiusFactor * EarthRadius)
 {
   if (!(effectiveRadiusFactor > 0.0) || !std::isfinite(effectiveRadiusFactor))
   {

@@ -34,12 +34,13 @@ Span PartAlong(const GridSpecification& domain, const BoxRequest& request, int a
 
 // m that a unit of x or y is long in the middle of the box. On a sphere: voxels need no more exact
 // size.
-double LengthOfUnit(const GridSpecification& domain, int axis, double middleY)
+double LengthOfUnit(const GridSpecification& domain, int axis, const BoxRequest& request)
 {
   if (domain.axes == GridAxes::Projected)
   {
     return 1.0;
   }
+  const double middleY = 0.5 * (request.faces[2] + request.faces[3]);
   return axis == 0 ? MetresPerDegree * std::cos(middleY * RadiansPerDegree) : MetresPerDegree;
 }
 
@@ -66,24 +67,15 @@ Span CheckedPart(const GridSpecification& domain, const BoxRequest& request, int
 }
 
 // Voxels from the domain's lower face on.
-void SetAxis(FinerBox& box, int axis, const Span& domain, const Span& part, double spacing)
+void SetAxis(FinerBox& box, int axis, const Span& part, double spacing)
 {
   constexpr double rounding = 1e-6; // of a voxel
+  const Span domain = DomainAlong(box.grid, axis);
   const double count = (domain.upper - domain.lower) / spacing;
   box.grid.spacing[axis] = spacing;
   box.grid.origin[axis] = domain.lower + 0.5 * spacing;
   box.grid.dimensions[axis] = std::max(1, static_cast<int>(std::ceil(count - rounding)));
   CoverAlong(box.grid, axis, part, box.block);
-}
-
-// By whole voxels, as far as the grid reaches.
-void MoveAlong(FinerBox& box, int axis, double way)
-{
-  const auto voxels = static_cast<int>(std::round(way / box.grid.spacing[axis]));
-  const int moved =
-    std::clamp(voxels, -box.block.begin[axis], box.grid.dimensions[axis] - box.block.end[axis]);
-  box.block.begin[axis] += moved;
-  box.block.end[axis] += moved;
 }
 
 } // namespace
@@ -126,18 +118,21 @@ FinerBox MakeFinerBox(
   }
   FinerBox box;
   box.grid = domain;
-  const double middleY = 0.5 * (request.faces[2] + request.faces[3]);
   for (const int axis : {0, 1})
   {
-    const Span whole = DomainAlong(domain, axis);
     const Span part = CheckedPart(domain, request, axis);
-    const double spacing = std::max(request.spacing / LengthOfUnit(domain, axis, middleY),
+    const double spacing = std::max(request.spacing / LengthOfUnit(domain, axis, request),
       (part.upper - part.lower) / request.mostVoxels);
-    SetAxis(box, axis, whole, part, spacing);
-    MoveAlong(box, axis, moved[axis]);
+    SetAxis(box, axis, part, spacing);
+    // By whole voxels, as far as the grid reaches.
+    int& begin = box.block.begin[axis];
+    int& end = box.block.end[axis];
+    const auto voxels = static_cast<int>(std::round(moved[axis] / spacing));
+    const int way = std::clamp(voxels, -begin, box.grid.dimensions[axis] - end);
+    begin += way;
+    end += way;
   }
-  const Span heights = DomainAlong(domain, 2);
-  SetAxis(box, 2, heights, heights, request.spacing);
+  SetAxis(box, 2, DomainAlong(domain, 2), request.spacing);
   return box;
 }
 
@@ -158,8 +153,7 @@ VoxelBlock VoxelsOfBox(const GridSpecification& grid, const BoxRequest& request)
 
 bool IsFinerThanAsked(const GridSpecification& grid, const BoxRequest& request)
 {
-  const double middleY = 0.5 * (request.faces[2] + request.faces[3]);
-  return 2.0 * grid.spacing[0] * LengthOfUnit(grid, 0, middleY) <= request.spacing;
+  return 2.0 * grid.spacing[0] * LengthOfUnit(grid, 0, request) <= request.spacing;
 }
 
 } // namespace nexrad

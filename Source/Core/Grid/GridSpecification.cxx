@@ -2,11 +2,14 @@
 #include "nexrad/Grid/GridSpecification.h"
 
 #include "nexrad/Geometry/Angles.h"
+#include "nexrad/System/Error.h"
 
 #include <GeographicLib/AzimuthalEquidistant.hpp>
 
+#include <algorithm>
 #include <charconv>
-#include <cmath>
+#include <locale>
+#include <sstream>
 
 namespace nexrad
 {
@@ -77,6 +80,79 @@ std::array<double, 2> GridSpecification::FromGeographic(double longitude, double
   const GeographicLib::AzimuthalEquidistant projection;
   projection.Forward(centreLatitude, centreLongitude, latitude, longitude, x, y);
   return {x, y};
+}
+
+std::string GridText(const GridSpecification& grid)
+{
+  const bool projected = grid.axes == GridAxes::Projected;
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << grid.dimensions[0] << 'x' << grid.dimensions[1] << 'x' << grid.dimensions[2]
+       << " voxels of " << grid.spacing[0] << " x " << grid.spacing[1]
+       << (projected ? " x " : " degrees x ") << grid.spacing[2] << " m";
+  if (projected)
+  {
+    text << " about " << grid.centreLatitude << ", " << grid.centreLongitude;
+  }
+  return text.str();
+}
+
+VoxelBlock VoxelBlock::Of(const GridSpecification& grid)
+{
+  VoxelBlock block;
+  block.end = grid.dimensions;
+  return block;
+}
+
+std::size_t VoxelBlock::VoxelCount() const
+{
+  std::size_t count = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    count *= static_cast<std::size_t>(std::max(0, this->Size(axis)));
+  }
+  return count;
+}
+
+bool operator==(const VoxelBlock& a, const VoxelBlock& b)
+{
+  return a.begin == b.begin && a.end == b.end;
+}
+
+GridSpecification PartOf(const GridSpecification& grid, const VoxelBlock& block)
+{
+  GridSpecification part = grid;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    if (block.begin[axis] < 0 || block.Size(axis) < 1 || block.end[axis] > grid.dimensions[axis])
+    {
+      throw Error("voxels " + std::to_string(block.begin[axis]) + " to " +
+                  std::to_string(block.end[axis] - 1) + " along axis " + std::to_string(axis) +
+                  " of a grid that has " + std::to_string(grid.dimensions[axis]) +
+                  ": a block needs a voxel or more, all in the grid");
+    }
+    part.dimensions[axis] = block.Size(axis);
+    part.origin[axis] = grid.Coordinate(static_cast<int>(axis), block.begin[axis]);
+  }
+  return part;
+}
+
+PlaceUnit PlaceUnitOf(GridAxes axes)
+{
+  return axes == GridAxes::Geographic ? PlaceUnit::Degrees : PlaceUnit::Metres;
+}
+
+void CheckPlaceUnit(PlaceUnit given, PlaceUnit ofVolume, const std::string& what)
+{
+  if (given == PlaceUnit::OfVolume || given == ofVolume)
+  {
+    return;
+  }
+  throw Error(what + (ofVolume == PlaceUnit::Degrees
+                         ? " in m or km, and the volume is on axes of longitude and latitude; "
+                           "write degrees, as in -97.5deg"
+                         : " in degrees, and the volume is in metres about its centre; write "
+                           "lengths, as in -20km"));
 }
 
 } // namespace nexrad

@@ -40,4 +40,46 @@ struct GridSpecification
   std::array<double, 2> FromGeographic(double longitude, double latitude) const;
 };
 
+/// A grid for a message: "64x64x32 voxels of 7187.5 x 7187.5 x 625 m about 38.81, -94.26", the
+/// latitude and longitude of the projection's centre in degrees.
+std::string GridText(const GridSpecification& grid);
+
+/// A box of voxels of a grid: those of which each index lies in begin ≤ index < end.
+struct VoxelBlock
+{
+  std::array<int, 3> begin = {0, 0, 0}; ///< along x, y, z
+  std::array<int, 3> end = {0, 0, 0};
+
+  /// All voxels of a grid.
+  static VoxelBlock Of(const GridSpecification& grid);
+
+  int Size(std::size_t axis) const { return end[axis] - begin[axis]; }
+  std::size_t VoxelCount() const;
+};
+
+bool operator==(const VoxelBlock& a, const VoxelBlock& b);
+inline bool operator!=(const VoxelBlock& a, const VoxelBlock& b)
+{
+  return !(a == b);
+}
+
+/// The block as a grid of its own. Throws Error when the block has no voxels, or some outside the
+/// grid.
+GridSpecification PartOf(const GridSpecification& grid, const VoxelBlock& block);
+
+/// The unit of x and y of places that a user gives.
+enum class PlaceUnit
+{
+  OfVolume, ///< that of the volume, whichever it is
+  Metres,   ///< of volumes on projected axes
+  Degrees   ///< of volumes on geographic axes
+};
+
+/// The unit of x and y on axes of this kind.
+PlaceUnit PlaceUnitOf(GridAxes axes);
+
+/// Throws Error where places are in another unit than x and y of their volume. `what` begins the
+/// message: the places and their verb, as in "the section is".
+void CheckPlaceUnit(PlaceUnit given, PlaceUnit ofVolume, const std::string& what);
+
 } // namespace nexrad

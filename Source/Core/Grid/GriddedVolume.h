@@ -79,9 +79,8 @@ inline std::string AncillaryArrayName(MomentName moment, const std::string& anci
   return std::string(ToString(moment)) + "_" + ancillary;
 }
 
-/// A moment of several radars on one grid at one time, and further moments where they were asked
-/// for.
-struct GriddedVolume
+/// What a merged volume says of itself.
+struct GriddedVolumeDescription
 {
   GridSpecification grid;
   Time time{};
@@ -100,7 +99,13 @@ struct GriddedVolume
   std::vector<std::string> notes; ///< what pictures must say of the radars' volumes, a phrase each:
                                   ///< "KTLX: volume ends at 6.4°, cut off"
   float fill = -33.0F;            ///< value where the state is not Echo
-  std::vector<float> values;      ///< x fastest, then y, then z upward
+};
+
+/// A moment of several radars on one grid at one time, and further moments where they were asked
+/// for.
+struct GriddedVolume : GriddedVolumeDescription
+{
+  std::vector<float> values; ///< x fastest, then y, then z upward
   std::vector<VoxelState> states;
   AncillaryArrays ancillary; ///< of the method "beam", when asked for
 
@@ -108,5 +113,15 @@ struct GriddedVolume
   /// ones of its own.
   std::vector<GriddedVolume> further;
 };
+
+/// What a volume says of itself, without its voxels and its further moments.
+GriddedVolume WithoutVoxels(const GriddedVolume& volume);
+
+/// Moments that were merged at one time on one grid, at least one, as one volume: the first, with
+/// the others as its further ones. Each names the radars that took part in any of them.
+GriddedVolume JoinMoments(std::vector<GriddedVolume> moments);
+
+/// The moments of a volume, each as a volume of its own: the opposite of JoinMoments.
+std::vector<GriddedVolume> SplitMoments(GriddedVolume volume);
 
 } // namespace nexrad

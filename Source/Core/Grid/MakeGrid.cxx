@@ -44,15 +44,11 @@ double RangeOf(const GridRequest& request)
   return request.range.value_or(DefaultRange);
 }
 
-double RoundToHundredth(double degrees)
-{
-  return std::round(degrees * 100.0) / 100.0;
-}
-
+// Rounded to hundredths of a degree.
 void SetCentre(GridSpecification& grid, const std::array<double, 2>& place)
 {
-  grid.centreLongitude = RoundToHundredth(place[0]);
-  grid.centreLatitude = RoundToHundredth(place[1]);
+  grid.centreLongitude = std::round(place[0] * 100.0) / 100.0;
+  grid.centreLatitude = std::round(place[1] * 100.0) / 100.0;
 }
 
 template <typename... Parts>

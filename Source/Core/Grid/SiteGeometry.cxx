@@ -36,34 +36,25 @@ struct Offset
   double north = 0.0;
 };
 
-// A box of columns: first ≤ index < last.
-struct ColumnBox
-{
-  int first[2] = {0, 0};
-  int last[2] = {0, 0};
-
-  bool IsEmpty() const { return first[0] >= last[0] || first[1] >= last[1]; }
-};
-
 // Offsets at nodes that lie about 10 km apart over a box of columns, and bilinear between them. The
 // nodes are those of the whole box; only those about a part of it are computed.
 class OffsetLattice
 {
 public:
-  OffsetLattice(const GridSpecification& specification, const Position& site, const ColumnBox& box,
-    const ColumnBox& part)
+  OffsetLattice(const GridSpecification& specification, const Position& site, const VoxelBlock& box,
+    const VoxelBlock& part)
     : grid(specification)
   {
     const SiteGeoreference georeference(site);
     const double widest = grid.axes == GridAxes::Projected ? 10'000.0 : 0.1;
     for (int axis = 0; axis < 2; ++axis)
     {
-      const double length = grid.spacing[axis] * std::max(box.last[axis] - 1 - box.first[axis], 1);
+      const double length = grid.spacing[axis] * std::max(box.Size(axis) - 1, 1);
       cells[axis] = std::max(1, static_cast<int>(std::ceil(length / widest)));
-      start[axis] = grid.Coordinate(axis, box.first[axis]);
+      start[axis] = grid.Coordinate(axis, box.begin[axis]);
       step[axis] = length / cells[axis];
-      firstNode[axis] = this->PlaceOf(axis, grid.Coordinate(axis, part.first[axis])).first;
-      lastNode[axis] = this->PlaceOf(axis, grid.Coordinate(axis, part.last[axis] - 1)).first + 1;
+      firstNode[axis] = this->PlaceOf(axis, grid.Coordinate(axis, part.begin[axis])).first;
+      lastNode[axis] = this->PlaceOf(axis, grid.Coordinate(axis, part.end[axis] - 1)).first + 1;
     }
     for (int y = firstNode[1]; y <= lastNode[1]; ++y)
     {
@@ -137,31 +128,25 @@ ColumnDirection DirectionOf(const Offset& offset, double effectiveRadius)
 }
 
 // The columns of a grid within a box round the circle of `reach` about a site.
-ColumnBox BoxAbout(const GridSpecification& grid, const Position& site, double reach)
+VoxelBlock BoxAbout(const GridSpecification& grid, const Position& site, double reach)
 {
   const auto centre = grid.FromGeographic(site.longitude, site.latitude);
   const auto half = HalfBox(grid, site.latitude, reach);
-  ColumnBox box;
+  VoxelBlock box;
   for (int axis = 0; axis < 2; ++axis)
   {
     const double lowest = (centre[axis] - half[axis] - grid.origin[axis]) / grid.spacing[axis];
     const double highest = (centre[axis] + half[axis] - grid.origin[axis]) / grid.spacing[axis];
     const double size = grid.dimensions[axis];
-    box.first[axis] = static_cast<int>(std::clamp(std::ceil(lowest), 0.0, size));
-    box.last[axis] = static_cast<int>(std::clamp(std::floor(highest) + 1.0, 0.0, size));
+    box.begin[axis] = static_cast<int>(std::clamp(std::ceil(lowest), 0.0, size));
+    box.end[axis] = static_cast<int>(std::clamp(std::floor(highest) + 1.0, 0.0, size));
   }
   return box;
 }
 
-ColumnBox PartWithin(const ColumnBox& box, const VoxelBlock& block)
+bool HasColumns(const VoxelBlock& box)
 {
-  ColumnBox part;
-  for (std::size_t axis = 0; axis < 2; ++axis)
-  {
-    part.first[axis] = std::max(box.first[axis], block.begin[axis]);
-    part.last[axis] = std::min(box.last[axis], block.end[axis]);
-  }
-  return part;
+  return box.Size(0) > 0 && box.Size(1) > 0;
 }
 
 } // namespace
@@ -169,11 +154,11 @@ ColumnBox PartWithin(const ColumnBox& box, const VoxelBlock& block)
 std::size_t SiteGeometry::MemoryBytesOf(
   const GridSpecification& grid, const Position& site, double reach, int rows)
 {
-  const ColumnBox box = BoxAbout(grid, site, reach);
-  const auto width = static_cast<std::size_t>(box.last[0] - box.first[0]);
+  const VoxelBlock box = BoxAbout(grid, site, reach);
+  const auto width = static_cast<std::size_t>(box.Size(0));
   const int most = rows > 0 ? rows : grid.dimensions[1];
-  const auto height = static_cast<std::size_t>(std::min(most, box.last[1] - box.first[1]));
-  return box.IsEmpty() ? 0 : width * height * sizeof(ColumnDirection);
+  const auto height = static_cast<std::size_t>(std::min(most, box.Size(1)));
+  return HasColumns(box) ? width * height * sizeof(ColumnDirection) : 0;
 }
 
 std::size_t SiteGeometry::MostMemoryBytes(const std::array<int, 3>& dimensions)
@@ -185,23 +170,28 @@ std::size_t SiteGeometry::MostMemoryBytes(const std::array<int, 3>& dimensions)
 SiteGeometry::SiteGeometry(const GridSpecification& grid, const Position& site, double reach,
   const BeamModel& beam, const std::optional<VoxelBlock>& block)
 {
-  const ColumnBox box = BoxAbout(grid, site, reach);
-  const ColumnBox part = PartWithin(box, block.value_or(VoxelBlock::Of(grid)));
-  if (part.IsEmpty())
+  const VoxelBlock all = BoxAbout(grid, site, reach);
+  const VoxelBlock wanted = block.value_or(VoxelBlock::Of(grid));
+  VoxelBlock part;
+  for (std::size_t axis = 0; axis < 2; ++axis)
+  {
+    part.begin[axis] = std::max(all.begin[axis], wanted.begin[axis]);
+    part.end[axis] = std::min(all.end[axis], wanted.end[axis]);
+  }
+  if (!HasColumns(part))
   {
     return;
   }
-  std::copy(part.first, part.first + 2, begin);
-  std::copy(part.last, part.last + 2, end);
-  const OffsetLattice lattice(grid, site, box, part);
+  box = part;
+  const OffsetLattice lattice(grid, site, all, box);
   std::vector<OffsetLattice::Place> places;
-  for (int x = begin[0]; x < end[0]; ++x)
+  for (int x = box.begin[0]; x < box.end[0]; ++x)
   {
     places.push_back(lattice.PlaceOf(0, grid.Coordinate(0, x)));
   }
   const double radius = beam.EffectiveRadius();
-  columns.reserve(this->Width() * static_cast<std::size_t>(end[1] - begin[1]));
-  for (int y = begin[1]; y < end[1]; ++y)
+  columns.reserve(this->Width() * static_cast<std::size_t>(box.Size(1)));
+  for (int y = box.begin[1]; y < box.end[1]; ++y)
   {
     const OffsetLattice::Place row = lattice.PlaceOf(1, grid.Coordinate(1, y));
     for (const OffsetLattice::Place& place : places)
@@ -210,6 +200,39 @@ SiteGeometry::SiteGeometry(const GridSpecification& grid, const Position& site, 
       nearest = std::min(nearest, columns.back().halfTangent);
     }
   }
+}
+
+RadarView MakeRadarView(const GridSpecification& grid, const Position& radar, const RangeLoop& loop)
+{
+  RadarView view;
+  ForEachArray(
+    view, [&grid](const char*, std::vector<float>& values) { values.resize(grid.VoxelCount()); });
+  const SiteGeoreference site(radar);
+  const BeamModel beam;
+  const auto width = static_cast<std::size_t>(grid.dimensions[0]);
+  const auto height = static_cast<std::size_t>(grid.dimensions[1]);
+  const int levels = grid.dimensions[2];
+  RunEach(loop, height,
+    [&](std::size_t y)
+    {
+      for (std::size_t x = 0; x < width; ++x)
+      {
+        const auto place = grid.ToGeographic(
+          grid.Coordinate(0, static_cast<int>(x)), grid.Coordinate(1, static_cast<int>(y)));
+        const GroundDirection direction = site.Look(place[0], place[1]);
+        std::size_t voxel = y * width + x;
+        for (int z = 0; z < levels; ++z, voxel += width * height)
+        {
+          const BeamDirection seen =
+            beam.Look({grid.Coordinate(2, z) - radar.altitude, direction.groundDistance});
+          const auto azimuth = static_cast<float>(direction.azimuth);
+          view.azimuth[voxel] = azimuth < 360.0F ? azimuth : 0.0F; // what a float rounds up
+          view.elevation[voxel] = static_cast<float>(seen.elevation);
+          view.slantRange[voxel] = static_cast<float>(seen.slantRange);
+        }
+      }
+    });
+  return view;
 }
 
 } // namespace nexrad

@@ -3,8 +3,8 @@
 
 #include "nexrad/Geometry/Beam.h"
 #include "nexrad/Grid/GridSpecification.h"
-#include "nexrad/Grid/VoxelBlock.h"
 #include "nexrad/Model/Site.h"
+#include "nexrad/System/RangeLoop.h"
 
 #include <array>
 #include <cstddef>
@@ -35,15 +35,15 @@ public:
     const BeamModel& beam = BeamModel(), const std::optional<VoxelBlock>& block = {});
 
   /// The box of columns kept: begin ≤ x < end, likewise y. Empty boxes have begin = end.
-  int BeginX() const { return begin[0]; }
-  int EndX() const { return end[0]; }
-  int BeginY() const { return begin[1]; }
-  int EndY() const { return end[1]; }
+  int BeginX() const { return box.begin[0]; }
+  int EndX() const { return box.end[0]; }
+  int BeginY() const { return box.begin[1]; }
+  int EndY() const { return box.end[1]; }
 
   /// The columns BeginX() to EndX() − 1 of a row in the box.
   const ColumnDirection* Row(int y) const
   {
-    return columns.data() + static_cast<std::size_t>(y - begin[1]) * this->Width();
+    return columns.data() + static_cast<std::size_t>(y - box.begin[1]) * this->Width();
   }
 
   /// The smallest halfTangent of the columns kept; infinity without any.
@@ -57,12 +57,37 @@ public:
   static std::size_t MostMemoryBytes(const std::array<int, 3>& dimensions);
 
 private:
-  std::size_t Width() const { return static_cast<std::size_t>(end[0] - begin[0]); }
+  std::size_t Width() const { return static_cast<std::size_t>(box.Size(0)); }
 
-  int begin[2] = {0, 0};
-  int end[2] = {0, 0};
+  VoxelBlock box; // along x and y alone
   float nearest = std::numeric_limits<float>::infinity();
   std::vector<ColumnDirection> columns; // x fastest
 };
+
+/// The voxels of a grid as one radar sees them: where the beam points that passes through a voxel's
+/// centre, and how far away the voxel is. Each array has a value for every voxel, x fastest, then
+/// y, then z upward.
+struct RadarView
+{
+  std::vector<float> azimuth;    ///< degrees clockwise from north, 0 ≤ azimuth < 360
+  std::vector<float> elevation;  ///< degrees above the horizon at the antenna
+  std::vector<float> slantRange; ///< m along the beam
+};
+
+/// Calls `visit(name, values)` for each array: "azimuth", "elevation" and "slant_range", as images
+/// and files name them.
+template <class View, class Visit>
+void ForEachArray(View& view, const Visit& visit)
+{
+  visit("azimuth", view.azimuth);
+  visit("elevation", view.elevation);
+  visit("slant_range", view.slantRange);
+}
+
+/// The view of a radar: azimuth and ground distance by the geodesic from its site (Formulas B3),
+/// elevation and slant range by the inverse of the beam's path over an earth of 4/3 of its radius
+/// (Formulas B2). `loop` runs rows.
+RadarView MakeRadarView(
+  const GridSpecification& grid, const Position& radar, const RangeLoop& loop = {});
 
 } // namespace nexrad

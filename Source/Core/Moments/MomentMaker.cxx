@@ -8,7 +8,6 @@
 #include "nexrad/Velocity/VelocityDerivatives.h"
 #include "nexrad/Velocity/WindProfile.h"
 
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -19,17 +18,19 @@ namespace nexrad
 
 std::optional<Wind> EstimateStormMotion(const VelocityVolume& volume)
 {
+  constexpr double depth = 6'000.0;      // m over the radar
+  constexpr double farthest = 120'000.0; // m along the ground
   constexpr int steps = 60;
   const double beside = 0.5 * ProfileOptions().layerDepth;
   const WindProfile near = FitWindProfile(volume);
   ProfileOptions farther;
-  farther.farthest = FarthestSteeringWind;
+  farther.farthest = farthest;
   const WindProfile far = FitWindProfile(volume, farther);
   Wind sum;
   int known = 0;
   for (int step = 0; step < steps; ++step)
   {
-    const double height = (step + 0.5) * SteeringDepth / steps;
+    const double height = (step + 0.5) * depth / steps;
     std::optional<Wind> wind = near.At(height, beside);
     wind = wind ? wind : far.At(height, beside);
     if (wind)
@@ -49,11 +50,6 @@ std::optional<Wind> EstimateStormMotion(const VelocityVolume& volume)
 namespace
 {
 
-GateState GateStateOf(VelocityState state)
-{
-  return state == VelocityState::Unknown ? GateState::NotSampled : static_cast<GateState>(state);
-}
-
 // Whether the codes of a sweep already are these velocities.
 bool Holds(const PolarSweep& polar, const VelocitySweep& sweep)
 {
@@ -65,8 +61,8 @@ bool Holds(const PolarSweep& polar, const VelocitySweep& sweep)
     {
       const std::size_t index = sweep.Index(ray, gate);
       const bool same = codes[gate] < GateCode::FirstValue
-                          ? sweep.states[index] != VelocityState::Valid
-                          : sweep.states[index] == VelocityState::Valid &&
+                          ? sweep.states[index] != GateState::Valid
+                          : sweep.states[index] == GateState::Valid &&
                               sweep.values[index] == polar.scale.ValueOf(codes[gate]);
       if (!same)
       {
@@ -75,21 +71,6 @@ bool Holds(const PolarSweep& polar, const VelocitySweep& sweep)
     }
   }
   return true;
-}
-
-// Sets the gates of a sweep from values; a gate with a velocity and without a value becomes
-// NotSampled.
-void SetValues(const VelocitySweep& velocities, const std::vector<float>& values, PolarSweep& sweep)
-{
-  std::vector<GateState> states;
-  states.reserve(values.size());
-  for (std::size_t index = 0; index < values.size(); ++index)
-  {
-    const GateState state = GateStateOf(velocities.states[index]);
-    states.push_back(
-      state == GateState::Valid && std::isnan(values[index]) ? GateState::NotSampled : state);
-  }
-  SetGates(sweep, values, states);
 }
 
 } // namespace
@@ -135,7 +116,7 @@ PolarVolume MomentMaker::MakeRaw(MomentName moment)
         const VelocitySweep& sweep = velocities->unfolded.sweeps[i];
         if (!Holds(volume.sweeps[i], sweep))
         {
-          SetValues(sweep, sweep.values, volume.sweeps[i]);
+          SetGates(volume.sweeps[i], sweep.values, sweep.states);
         }
       }
       return volume;
@@ -146,9 +127,9 @@ PolarVolume MomentMaker::MakeRaw(MomentName moment)
   case MomentName::SRV:
     return this->MakeStormRelative();
   case MomentName::AZSHEAR:
-    return this->MakeDerivative(moment, AzimuthalShear);
+    return this->MakeDerived(moment, AzimuthalShear);
   case MomentName::DIV:
-    return this->MakeDerivative(moment, RadialDivergence);
+    return this->MakeDerived(moment, RadialDivergence);
   case MomentName::KDP:
     return MakePhaseSlopes(
       measured(MomentName::PHI, {}), measured(MomentName::REF, {}), measured(MomentName::RHO, {}));
@@ -189,25 +170,22 @@ PolarVolume MomentMaker::MakeStormRelative()
   const Velocities& found = this->Unfolded();
   const std::optional<Wind> motion =
     options.stormMotion ? options.stormMotion : EstimateStormMotion(found.unfolded);
-  PolarVolume volume = found.folded;
-  volume.moment = MomentName::SRV;
-  if (!motion && !volume.sweeps.empty())
+  if (!motion && !found.folded.sweeps.empty())
   {
     note = "the velocities tell less than 2 km of the wind profile up to 6 km, so that SRV has no "
            "values: give the storm motion";
   }
-  for (std::size_t i = 0; i < volume.sweeps.size(); ++i)
-  {
-    VelocitySweep sweep = found.unfolded.sweeps[i];
-    const double unknown = std::numeric_limits<double>::quiet_NaN();
-    SubtractMotion(sweep, motion.value_or(Wind{unknown, unknown}));
-    SetValues(sweep, sweep.values, volume.sweeps[i]);
-  }
-  return volume;
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  return this->MakeDerived(MomentName::SRV,
+    [subtracted = motion.value_or(Wind{unknown, unknown})](VelocitySweep sweep)
+    {
+      SubtractMotion(sweep, subtracted);
+      return sweep.values;
+    });
 }
 
-PolarVolume MomentMaker::MakeDerivative(
-  MomentName moment, std::vector<float> (*derivative)(const VelocitySweep&))
+PolarVolume MomentMaker::MakeDerived(
+  MomentName moment, const std::function<std::vector<float>(const VelocitySweep&)>& valuesOf)
 {
   const Velocities& found = this->Unfolded();
   PolarVolume volume = found.folded;
@@ -215,7 +193,7 @@ PolarVolume MomentMaker::MakeDerivative(
   for (std::size_t i = 0; i < volume.sweeps.size(); ++i)
   {
     const VelocitySweep& sweep = found.unfolded.sweeps[i];
-    SetValues(sweep, derivative(sweep), volume.sweeps[i]);
+    SetGates(volume.sweeps[i], valuesOf(sweep), sweep.states);
   }
   return volume;
 }

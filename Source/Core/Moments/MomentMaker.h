@@ -1,30 +1,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Moments/MomentOptions.h"
 #include "nexrad/Polar/PolarVolume.h"
 #include "nexrad/Quality/EchoClass.h"
 #include "nexrad/Velocity/VelocityVolume.h"
 #include "nexrad/Velocity/WindProfile.h"
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace nexrad
 {
 
-/// The height over the radar up to which the wind counts, m.
-constexpr double SteeringDepth = 6'000.0;
+/// How the moments of a volume are made before they are merged.
+struct MomentOptions
+{
+  QualityOptions quality; ///< its level is of reflectivity alone
+  bool dealias = true;    ///< unfold the velocities of VEL (Formulas V1 to V4). The derived moments
+                          ///< are made of unfolded velocities whatever this says
+  /// The motion of the storm that SRV is relative to, m/s; empty: EstimateStormMotion of each
+  /// volume.
+  std::optional<Wind> stormMotion;
 
-/// Ground distance up to which velocities count at heights at which those nearer tell no wind, m.
-constexpr double FarthestSteeringWind = 120'000.0;
+  bool operator==(const MomentOptions& other) const;
+};
 
 /// The motion of storms, m/s, as far as one volume of dealiased velocities tells it: the mean of
-/// the wind from the antenna to SteeringDepth above it, of the volume's wind profile
-/// (FitWindProfile, up to 60 km from the radar; at heights at which that has no wind, up to
-/// FarthestSteeringWind), every 100 m of height that has a wind counting alike. Where echo is
-/// shallow that is the mean over the depth of the echo. Empty where less than 2 km of the heights
-/// have a wind.
+/// the wind up to 6 km above the antenna, of the volume's wind profile (FitWindProfile, up to 60 km
+/// from the radar; at heights at which that has no wind, up to 120 km), every 100 m of height that
+/// has a wind counting alike. Where echo is shallow that is the mean over the depth of the echo.
+/// Empty where less than 2 km of the heights have a wind.
 std::optional<Wind> EstimateStormMotion(const VelocityVolume& volume);
 
 /// Makes the moments of one volume for merging: the one place in which polar data of a moment,
@@ -71,8 +78,8 @@ private:
   PolarVolume MakeRaw(MomentName moment);
   PolarVolume MakeReflectivity();
   PolarVolume MakeStormRelative();
-  PolarVolume MakeDerivative(
-    MomentName moment, std::vector<float> (*derivative)(const VelocitySweep&));
+  PolarVolume MakeDerived(
+    MomentName moment, const std::function<std::vector<float>(const VelocitySweep&)>& valuesOf);
 
   MeasuredVolume measured;
   MomentOptions options;

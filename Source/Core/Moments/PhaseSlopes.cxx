@@ -32,11 +32,6 @@ struct Span
   std::size_t end;
 };
 
-Span SpanAbout(std::size_t gate, std::size_t reach, std::size_t gates)
-{
-  return {gate < reach ? 0 : gate - reach, std::min(gate + reach + 1, gates)};
-}
-
 // Each phase within half a turn of the last one before it.
 std::vector<float> WithoutTurns(std::vector<float> phase)
 {
@@ -58,16 +53,16 @@ std::vector<float> Medians(const std::vector<float>& phase)
   std::vector<float> about;
   for (std::size_t gate = 0; gate < phase.size(); ++gate)
   {
-    const Span span = SpanAbout(gate, medianReach, phase.size());
-    about.clear();
-    std::copy_if(phase.begin() + std::ptrdiff_t(span.begin),
-      phase.begin() + std::ptrdiff_t(span.end), std::back_inserter(about),
-      [](float value) { return !std::isnan(value); });
     if (!std::isnan(phase[gate]))
     {
-      std::nth_element(
-        about.begin(), about.begin() + std::ptrdiff_t(about.size() / 2), about.end());
-      result[gate] = about[about.size() / 2];
+      const std::size_t begin = gate - std::min(gate, medianReach);
+      const std::size_t end = std::min(gate + medianReach + 1, phase.size());
+      about.clear();
+      std::copy_if(phase.begin() + std::ptrdiff_t(begin), phase.begin() + std::ptrdiff_t(end),
+        std::back_inserter(about), [](float value) { return !std::isnan(value); });
+      const auto middle = about.begin() + std::ptrdiff_t(about.size() / 2);
+      std::nth_element(about.begin(), middle, about.end());
+      result[gate] = *middle;
     }
   }
   return result;
@@ -159,42 +154,6 @@ Line FitLine(
   return {value, slope, std::sqrt(std::max(0.0, squares / count)), true};
 }
 
-} // namespace
-
-std::vector<float> SpecificDifferentialPhase(
-  const std::vector<float>& phase, const std::vector<float>& reflectivity, double gateSpacing)
-{
-  if (phase.size() != reflectivity.size() || !(gateSpacing > 0.0))
-  {
-    throw Error(
-      "K_DP needs a phase and a reflectivity for each gate, and a gate spacing above 0 m");
-  }
-  const std::vector<float> medians = Medians(WithoutTurns(phase));
-  const auto reachAt = [&](std::size_t gate)
-  { return reflectivity[gate] > strongEcho ? shortReach : longReach; };
-  const std::vector<Span> stretches = FindStretches(phase);
-  std::vector<float> smooth(phase.size(), none);
-  for (std::size_t gate = 0; gate < phase.size(); ++gate)
-  {
-    const Line line = FitLine(medians, stretches[gate], gate, reachAt(gate));
-    smooth[gate] =
-      line.known && line.rms <= LargestPhaseSpread ? static_cast<float>(line.value) : none;
-  }
-  std::vector<float> result(phase.size(), none);
-  for (std::size_t gate = 0; gate < phase.size(); ++gate)
-  {
-    const Line line = FitLine(smooth, stretches[gate], gate, reachAt(gate));
-    if (line.known && !std::isnan(phase[gate]))
-    {
-      result[gate] = static_cast<float>(0.5 * line.slope * 1000.0 / gateSpacing);
-    }
-  }
-  return result;
-}
-
-namespace
-{
-
 // Finds the values of a moment at the gates of rays of another one.
 class RayValues
 {
@@ -247,38 +206,63 @@ private:
   std::vector<std::uint16_t> codes;
 };
 
-PolarSweep MakeSweep(const PolarSweep& phase, RayValues& reflectivity, RayValues& correlation)
+// Makes slopes of the phases of a sweep.
+void SetSlopes(PolarSweep& sweep, RayValues& reflectivity, RayValues& correlation)
 {
   std::vector<float> values;
   std::vector<GateState> states;
-  std::vector<std::uint16_t> codes(phase.gates);
-  for (std::size_t ray = 0; ray < phase.rays.size(); ++ray)
+  std::vector<std::uint16_t> codes(sweep.gates);
+  for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
   {
-    phase.Read(ray, codes.data());
-    const std::vector<float> correlations = correlation.At(phase, phase.rays[ray]);
-    std::vector<float> phases(phase.gates, none);
-    for (std::size_t gate = 0; gate < phase.gates; ++gate)
+    sweep.Read(ray, codes.data());
+    const std::vector<float> correlations = correlation.At(sweep, sweep.rays[ray]);
+    std::vector<float> phases(sweep.gates, none);
+    for (std::size_t gate = 0; gate < sweep.gates; ++gate)
     {
       const bool counts =
         codes[gate] >= GateCode::FirstValue && !(correlations[gate] < LeastPhaseCorrelation);
-      phases[gate] = counts ? phase.scale.ValueOf(codes[gate]) : none;
+      phases[gate] = counts ? sweep.scale.ValueOf(codes[gate]) : none;
     }
     const std::vector<float> slopes =
-      SpecificDifferentialPhase(phases, reflectivity.At(phase, phase.rays[ray]), phase.gateSpacing);
+      SpecificDifferentialPhase(phases, reflectivity.At(sweep, sweep.rays[ray]), sweep.gateSpacing);
     values.insert(values.end(), slopes.begin(), slopes.end());
-    for (std::size_t gate = 0; gate < phase.gates; ++gate)
-    {
-      const GateState state = StateOf(codes[gate]);
-      const bool unknown = state == GateState::Valid && std::isnan(slopes[gate]);
-      states.push_back(unknown ? GateState::NotSampled : state);
-    }
+    std::transform(codes.begin(), codes.end(), std::back_inserter(states), StateOf);
   }
-  PolarSweep sweep = phase;
   SetGates(sweep, values, states);
-  return sweep;
 }
 
 } // namespace
+
+std::vector<float> SpecificDifferentialPhase(
+  const std::vector<float>& phase, const std::vector<float>& reflectivity, double gateSpacing)
+{
+  if (phase.size() != reflectivity.size() || !(gateSpacing > 0.0))
+  {
+    throw Error(
+      "K_DP needs a phase and a reflectivity for each gate, and a gate spacing above 0 m");
+  }
+  const std::vector<float> medians = Medians(WithoutTurns(phase));
+  const auto reachAt = [&](std::size_t gate)
+  { return reflectivity[gate] > strongEcho ? shortReach : longReach; };
+  const std::vector<Span> stretches = FindStretches(phase);
+  std::vector<float> smooth(phase.size(), none);
+  for (std::size_t gate = 0; gate < phase.size(); ++gate)
+  {
+    const Line line = FitLine(medians, stretches[gate], gate, reachAt(gate));
+    smooth[gate] =
+      line.known && line.rms <= LargestPhaseSpread ? static_cast<float>(line.value) : none;
+  }
+  std::vector<float> result(phase.size(), none);
+  for (std::size_t gate = 0; gate < phase.size(); ++gate)
+  {
+    const Line line = FitLine(smooth, stretches[gate], gate, reachAt(gate));
+    if (line.known && !std::isnan(phase[gate]))
+    {
+      result[gate] = static_cast<float>(0.5 * line.slope * 1000.0 / gateSpacing);
+    }
+  }
+  return result;
+}
 
 PolarVolume MakePhaseSlopes(
   const PolarVolume& phase, const PolarVolume& reflectivity, const PolarVolume& correlation)
@@ -289,7 +273,7 @@ PolarVolume MakePhaseSlopes(
   volume.moment = MomentName::KDP;
   for (PolarSweep& sweep : volume.sweeps)
   {
-    sweep = MakeSweep(sweep, reflectivities, correlations);
+    SetSlopes(sweep, reflectivities, correlations);
   }
   return volume;
 }

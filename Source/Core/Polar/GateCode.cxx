@@ -8,21 +8,8 @@
 namespace nexrad
 {
 
-ValueRule ValueRule::Of(MomentName moment, bool linearReflectivity)
-{
-  ValueRule rule;
-  rule.nearest = IsRadialVelocity(moment);
-  rule.zeroIsNone = moment == MomentName::REF;
-  rule.linear = moment == MomentName::REF && linearReflectivity;
-  rule.period = moment == MomentName::PHI ? 360.0F : 0.0F;
-  return rule;
-}
-
 namespace
 {
-
-// Steps from the first code of a value to the last.
-constexpr float steps = GateCode::Last - GateCode::FirstValue;
 
 // The smallest power of two that is not below a number above 0.
 double PowerOfTwo(double number)
@@ -33,6 +20,16 @@ double PowerOfTwo(double number)
 }
 
 } // namespace
+
+ValueRule ValueRule::Of(MomentName moment, bool linearReflectivity)
+{
+  ValueRule rule;
+  rule.nearest = IsRadialVelocity(moment);
+  rule.zeroIsNone = moment == MomentName::REF;
+  rule.linear = moment == MomentName::REF && linearReflectivity;
+  rule.period = moment == MomentName::PHI ? 360.0F : 0.0F;
+  return rule;
+}
 
 std::uint16_t GateScale::CodeOf(float value) const
 {
@@ -46,6 +43,7 @@ GateScale GateScale::Between(float least, float most)
 {
   const auto from = static_cast<double>(least);
   const auto to = static_cast<double>(most);
+  constexpr float steps = GateCode::Last - GateCode::FirstValue;
   // One step is left for the multiple of it below `least`.
   const double wanted = (to - from) / static_cast<double>(steps - 1.0F);
   const double told = std::max(std::abs(from), std::abs(to)) *

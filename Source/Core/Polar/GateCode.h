@@ -66,9 +66,6 @@ struct GateScale
   /// multiple of it. Numbers that are such multiples themselves, as the halves of a dB that radars
   /// send, are kept exactly.
   static GateScale Between(float least, float most);
-
-  bool operator==(const GateScale& other) const { return base == other.base && step == other.step; }
-  bool operator!=(const GateScale& other) const { return !(*this == other); }
 };
 
 } // namespace nexrad

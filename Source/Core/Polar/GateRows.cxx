@@ -18,25 +18,14 @@ constexpr std::uint16_t largestByte = std::numeric_limits<std::uint8_t>::max();
 // A stretch takes four bytes: fewer gates of no echo are kept with those about them.
 constexpr std::size_t shortestGap = 4;
 
-// The first gate from `gate` on that holds anything but no echo; `end` when none does.
+// The first gate from `gate` on that holds anything but no echo, whose code is 0; `end` when none
+// does.
 std::size_t SkipNoEcho(const std::uint16_t* codes, std::size_t gate, std::size_t end)
 {
-  std::uint64_t four = 0;
-  constexpr std::size_t count = sizeof four / sizeof *codes;
-  while (gate + count <= end)
-  {
-    std::memcpy(&four, codes + gate, sizeof four);
-    if (four != 0) // NoEcho is 0
-    {
-      break;
-    }
-    gate += count;
-  }
-  while (gate < end && codes[gate] == GateCode::NoEcho)
-  {
-    ++gate;
-  }
-  return gate;
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(codes);
+  constexpr std::size_t each = sizeof *codes;
+  return static_cast<std::size_t>(SkipZeros(bytes + each * gate, bytes + each * end) - bytes) /
+         each;
 }
 
 // The first gate from `gate` on that holds no echo; `end` when all hold something.
@@ -76,21 +65,6 @@ std::size_t EndOfStretch(const std::uint16_t* codes, std::size_t gate, std::size
     gate = next;
   }
   return gate;
-}
-
-// The first of some bytes that is not 0; `end` without any.
-const std::uint8_t* SkipZeros(const std::uint8_t* byte, const std::uint8_t* end)
-{
-  std::uint64_t eight = 0;
-  for (; end - byte >= 8; byte += 8)
-  {
-    std::memcpy(&eight, byte, sizeof eight);
-    if (eight != 0)
-    {
-      break;
-    }
-  }
-  return std::find_if(byte, end, [](std::uint8_t each) { return each != 0; });
 }
 
 // Behind the last of some bytes that is not 0; `byte` without any.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 namespace nexrad
@@ -16,6 +17,7 @@ struct GateRange
   std::size_t end = 0;
 
   bool IsEmpty() const { return begin >= end; }
+  std::size_t Size() const { return this->IsEmpty() ? 0 : end - begin; }
 };
 
 /// From the first to the last gate of either range.
@@ -24,6 +26,21 @@ inline GateRange Hull(const GateRange& a, const GateRange& b)
   return a.IsEmpty()   ? b
          : b.IsEmpty() ? a
                        : GateRange{std::min(a.begin, b.begin), std::max(a.end, b.end)};
+}
+
+/// The first of some bytes that is not 0; `end` without any.
+inline const std::uint8_t* SkipZeros(const std::uint8_t* byte, const std::uint8_t* end)
+{
+  std::uint64_t eight = 0;
+  for (; end - byte >= 8; byte += 8)
+  {
+    std::memcpy(&eight, byte, sizeof eight);
+    if (eight != 0)
+    {
+      break;
+    }
+  }
+  return std::find_if(byte, end, [](std::uint8_t each) { return each != 0; });
 }
 
 /// The codes (GateCode) of the gates of a sweep, a row a ray. Most gates of a sweep hold no echo:

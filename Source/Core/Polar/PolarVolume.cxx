@@ -179,11 +179,11 @@ void SetCodes(const MomentRow& row, const Coding& coding, std::uint16_t* codes)
   }
 }
 
-// Of the gates of a sweep those up to a slant range, at least one.
-std::size_t GatesUpTo(const PolarSweep& sweep, double range)
+// Of the gates of a sweep those whose centres lie within a slant range.
+std::size_t GatesWithin(const PolarSweep& sweep, double range)
 {
   const double last = std::floor((range - sweep.firstGate) / sweep.gateSpacing);
-  return static_cast<std::size_t>(std::clamp(last + 1.0, 1.0, static_cast<double>(sweep.gates)));
+  return static_cast<std::size_t>(std::clamp(last + 1.0, 0.0, static_cast<double>(sweep.gates)));
 }
 
 // The rows of the rays, without the gates from `gates` on.
@@ -232,7 +232,7 @@ PolarSweep MakeSweep(
   }
   if (wanted && sweep.gateSpacing > 0.0)
   {
-    sweep.gates = GatesUpTo(sweep, wanted(MedianElevation(sweep)));
+    sweep.gates = std::max<std::size_t>(1, GatesWithin(sweep, wanted(MedianElevation(sweep))));
   }
   const RowList rows = RowsOf(rays, moment, sweep.gates);
   Coding coding = FindWordCoding(rows, static_cast<bool>(wanted));
@@ -268,13 +268,40 @@ PolarSweep MakeSweep(
 // The first gate whose centre lies beyond the unambiguous range of a ray; all of them without one.
 std::size_t GatesWithin(const PolarSweep& sweep, const PolarRay& ray)
 {
-  const auto unambiguousRange = static_cast<double>(ray.unambiguousRange);
-  if (!(unambiguousRange > 0.0))
+  const auto range = static_cast<double>(ray.unambiguousRange);
+  return range > 0.0 ? GatesWithin(sweep, range) : sweep.gates;
+}
+
+// The rays of a sweep that have a moment, by gate geometry, in the order in which each geometry
+// comes first. Nearly always there is one.
+std::vector<RayList> RaysByGeometry(const Sweep& sweep, MomentName moment)
+{
+  std::vector<RayList> groups;
+  std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> places;
+  for (const Ray& ray : sweep.rays)
   {
-    return sweep.gates;
+    const MomentRow& row = ray.Row(moment);
+    if (row.gates > 0)
+    {
+      const auto place = places.emplace(std::pair(row.firstGate, row.gateSpacing), groups.size());
+      if (place.second)
+      {
+        groups.emplace_back();
+      }
+      groups[place.first->second].push_back(&ray);
+    }
   }
-  const double last = std::floor((unambiguousRange - sweep.firstGate) / sweep.gateSpacing);
-  return static_cast<std::size_t>(std::clamp(last + 1.0, 0.0, static_cast<double>(sweep.gates)));
+  return groups;
+}
+
+// Degrees: the elevation of the last sweep of a volume whose last cuts are lost. An excerpt was cut
+// off on purpose.
+std::optional<double> WhereCutOff(const RadarVolume& volume)
+{
+  const bool lost = !volume.cuts.empty() && volume.cuts.back().end == VolumeEnd::Missing &&
+                    !volume.cuts.back().excerpt && !volume.sweeps.empty() &&
+                    !volume.sweeps.back().rays.empty();
+  return lost ? std::optional(volume.sweeps.back().MedianElevation()) : std::nullopt;
 }
 
 } // namespace
@@ -293,26 +320,6 @@ GateState StateOf(std::uint16_t code)
   default:
     return GateState::Valid;
   }
-}
-
-std::vector<std::vector<const Ray*>> RaysByGeometry(const Sweep& sweep, MomentName moment)
-{
-  std::vector<RayList> groups;
-  std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> places;
-  for (const Ray& ray : sweep.rays)
-  {
-    const MomentRow& row = ray.Row(moment);
-    if (row.gates > 0)
-    {
-      const auto place = places.emplace(std::pair(row.firstGate, row.gateSpacing), groups.size());
-      if (place.second)
-      {
-        groups.emplace_back();
-      }
-      groups[place.first->second].push_back(&ray);
-    }
-  }
-  return groups;
 }
 
 void SetGates(
@@ -398,28 +405,6 @@ double MedianElevation(const PolarSweep& sweep)
   }
   return MedianOf(std::move(elevations));
 }
-
-namespace
-{
-
-// An excerpt was cut off on purpose.
-std::optional<double> WhereCutOff(const RadarVolume& volume)
-{
-  const bool lost = !volume.cuts.empty() && volume.cuts.back().end == VolumeEnd::Missing &&
-                    !volume.cuts.back().excerpt && !volume.sweeps.empty();
-  if (!lost)
-  {
-    return std::nullopt;
-  }
-  std::vector<double> elevations;
-  for (const Ray& ray : volume.sweeps.back().rays)
-  {
-    elevations.push_back(static_cast<double>(ray.elevation));
-  }
-  return elevations.empty() ? std::nullopt : std::optional(MedianOf(std::move(elevations)));
-}
-
-} // namespace
 
 PolarVolume MakePolarVolume(const RadarVolume& volume, MomentName moment, const WantedRange& wanted)
 {

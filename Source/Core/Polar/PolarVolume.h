@@ -65,10 +65,6 @@ struct PolarVolume
 /// no file has them.
 GateState StateOf(std::uint16_t code);
 
-/// The rays of a sweep that have a moment, by gate geometry, in the order in which each geometry
-/// comes first. Nearly always there is one. The rays belong to the sweep.
-std::vector<std::vector<const Ray*>> RaysByGeometry(const Sweep& sweep, MomentName moment);
-
 /// Slant range in m up to which the gates of a sweep are wanted, by its elevation in degrees.
 using WantedRange = std::function<double(double)>;
 

@@ -39,6 +39,39 @@ std::vector<SweepRank> RankSweeps(const PolarVolume& volume)
   return ranks;
 }
 
+// Whether reflectivity of a sweep comes from pulses that follow so closely that echo from beyond
+// their range falls on nearer gates, where another cut is to tell it.
+bool NeedsLongPulses(const PolarSweep& sweep, const Site& site)
+{
+  return sweep.waveform == Waveform::ContiguousDoppler ||
+         (sweep.waveform == Waveform::ContiguousDopplerWithout && !IsTerminal(site));
+}
+
+// The half of a split cut that reflectivity is taken from; nullptr where the sweep is no Doppler
+// half, or has lost the other one.
+const PolarSweep* FindSurveillanceHalf(const PolarVolume& volume, std::size_t index)
+{
+  const PolarSweep& sweep = volume.sweeps[index];
+  if (volume.moment != MomentName::REF || !NeedsLongPulses(sweep, volume.site))
+  {
+    return nullptr;
+  }
+  const double elevation = MedianElevation(sweep);
+  for (std::size_t i = index; i-- > 0;)
+  {
+    const PolarSweep& before = volume.sweeps[i];
+    if (std::abs(MedianElevation(before) - elevation) > SameTilt)
+    {
+      return nullptr;
+    }
+    if (before.waveform == Waveform::ContiguousSurveillance || before.waveform == Waveform::Batch)
+    {
+      return &before;
+    }
+  }
+  return nullptr;
+}
+
 } // namespace
 
 std::vector<std::optional<std::size_t>> PairSweeps(
@@ -100,44 +133,6 @@ std::optional<std::size_t> RayFinder::Nearest(double azimuth, double tolerance) 
   }
   return toBelow <= toAbove ? below.second : above.second;
 }
-
-namespace
-{
-
-// Whether reflectivity of a sweep comes from pulses that follow so closely that echo from beyond
-// their range falls on nearer gates, where another cut is to tell it.
-bool NeedsLongPulses(const PolarSweep& sweep, const Site& site)
-{
-  return sweep.waveform == Waveform::ContiguousDoppler ||
-         (sweep.waveform == Waveform::ContiguousDopplerWithout && !IsTerminal(site));
-}
-
-// The half of a split cut that reflectivity is taken from; nullptr where the sweep is no Doppler
-// half, or has lost the other one.
-const PolarSweep* FindSurveillanceHalf(const PolarVolume& volume, std::size_t index)
-{
-  const PolarSweep& sweep = volume.sweeps[index];
-  if (volume.moment != MomentName::REF || !NeedsLongPulses(sweep, volume.site))
-  {
-    return nullptr;
-  }
-  const double elevation = MedianElevation(sweep);
-  for (std::size_t i = index; i-- > 0;)
-  {
-    const PolarSweep& before = volume.sweeps[i];
-    if (std::abs(MedianElevation(before) - elevation) > SameTilt)
-    {
-      return nullptr;
-    }
-    if (before.waveform == Waveform::ContiguousSurveillance || before.waveform == Waveform::Batch)
-    {
-      return &before;
-    }
-  }
-  return nullptr;
-}
-
-} // namespace
 
 std::vector<std::size_t> FindRaysOfCut(const PolarSweep& sweep, double beamWidth)
 {

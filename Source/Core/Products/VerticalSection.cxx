@@ -118,8 +118,7 @@ double CentreOf(int index, int count, double from, double to)
   return from + (index + 0.5) / count * (to - from);
 }
 
-} // namespace
-
+// m along the ground.
 double LengthOf(const SectionLine& line, const GridSpecification& grid)
 {
   if (grid.axes == GridAxes::Projected)
@@ -132,11 +131,7 @@ double LengthOf(const SectionLine& line, const GridSpecification& grid)
   return length;
 }
 
-SectionInterpolation UsualInterpolation(MomentName moment)
-{
-  return IsRadialVelocity(moment) || moment == MomentName::PHI ? SectionInterpolation::Nearest
-                                                               : SectionInterpolation::Linear;
-}
+} // namespace
 
 VerticalSection MakeVerticalSection(
   const GridSpecification& grid, const VoxelSource& voxels, const SectionSampling& sampling)
@@ -147,6 +142,7 @@ VerticalSection MakeVerticalSection(
   section.bottom = grid.origin[2] - 0.5 * grid.spacing[2];
   section.top = section.bottom + grid.spacing[2] * grid.dimensions[2];
   const Sampler sampler(grid, voxels);
+  const bool nearest = IsRadialVelocity(sampling.moment) || sampling.moment == MomentName::PHI;
   const auto [along, upward] = sampling.dimensions;
   const SectionLine& line = sampling.line;
   for (int k = 0; k < upward; ++k)
@@ -159,8 +155,7 @@ VerticalSection MakeVerticalSection(
       Sample sample;
       if (x.inside && y.inside)
       {
-        sample = sampling.interpolation == SectionInterpolation::Nearest ? sampler.Nearest(x, y, z)
-                                                                         : sampler.Linear(x, y, z);
+        sample = nearest ? sampler.Nearest(x, y, z) : sampler.Linear(x, y, z);
       }
       section.values.push_back(sample.value);
       section.states.push_back(sample.state);

@@ -18,22 +18,14 @@ struct SectionLine
   std::array<double, 2> to = {0.0, 0.0};   ///< the end B
 
   bool operator==(const SectionLine& other) const { return from == other.from && to == other.to; }
-  bool operator!=(const SectionLine& other) const { return !(*this == other); }
 };
 
-/// How a section takes a value between the centres of voxels.
-enum class SectionInterpolation
-{
-  Nearest, ///< that of the voxel in which the point lies
-  Linear   ///< the mean of the eight voxels about the point that hold an echo, by their weights
-};
-
-/// Where the samples of a section lie.
+/// Where the samples of a section lie, and what they are of.
 struct SectionSampling
 {
   SectionLine line;
   std::array<int, 2> dimensions = {512, 256}; ///< samples along the line and upwards; above 0
-  SectionInterpolation interpolation = SectionInterpolation::Linear;
+  MomentName moment = MomentName::REF;
 };
 
 /// The voxels of a grid, x fastest, then y, then z upward, however they are stored.
@@ -47,25 +39,20 @@ struct VoxelSource
 struct VerticalSection
 {
   std::array<int, 2> dimensions = {0, 0};
-  double length = 0.0;            ///< m along the ground from A to B
+  double length = 0.0; ///< m along the ground from A to B: of Geographic axes that of the geodesic
   double bottom = 0.0, top = 0.0; ///< m above mean sea level: the lower and upper face of the grid
   std::vector<float> values;      ///< along the line fastest, then upward; NaN without an echo
   std::vector<VoxelState> states;
 };
 
-/// Length of a line in m: of Projected axes that of the plane, of Geographic ones of the geodesic.
-double LengthOf(const SectionLine& line, const GridSpecification& grid);
-
-/// Averages of the moment mean something: not of velocities, which are folded, nor of phases, whose
-/// 0 and 360 degrees are one.
-SectionInterpolation UsualInterpolation(MomentName moment);
-
 /// The section of a grid from its lower to its upper face. Points outside of the grid are not
-/// scanned. With linear interpolation, as formula G6 has it: where voxels that were not scanned,
-/// are range folded or filtered hold at least half of the weight, the point has the one of these
-/// states that holds most of it; else, where voxels without echo hold at least half of the rest, it
-/// has no echo; else it has the mean of the voxels with an echo alone. So no value is mixed with a
-/// missing one.
+/// scanned. Of velocities, which are folded, and of phases, whose 0 and 360 degrees are one, a
+/// point has what the voxel has in which it lies: averages mean nothing. Of other moments it is
+/// interpolated linearly, as formula G6 has it: where voxels that were not scanned, are range
+/// folded or filtered hold at least half of the weight, the point has the one of these states that
+/// holds most of it; else, where voxels without echo hold at least half of the rest, it has no
+/// echo; else it has the mean of the voxels with an echo alone. So no value is mixed with a missing
+/// one.
 VerticalSection MakeVerticalSection(
   const GridSpecification& grid, const VoxelSource& voxels, const SectionSampling& sampling);
 

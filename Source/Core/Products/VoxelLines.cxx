@@ -42,15 +42,6 @@ double GroundHeight::Below(const GridSpecification& grid, std::size_t column) co
   return nearest == places.end() ? 0.0 : nearest->height;
 }
 
-namespace
-{
-
-// Columns that are visited together: what is kept of them stays in the processor's cache from one
-// level to the next, and a stretch is long enough to be read in one go.
-constexpr std::size_t together = 4096;
-
-} // namespace
-
 VoxelLines LinesOf(const GriddedVolume& volume)
 {
   const auto read = [&volume](
@@ -66,6 +57,9 @@ VoxelLines LinesOf(const GriddedVolume& volume)
 void WalkColumns(const VoxelLines& voxels, int first, int last, const RangeLoop& loop,
   const std::function<void(const ColumnStretch& stretch)>& visit)
 {
+  // Columns that are visited together: what is kept of them stays in the processor's cache from one
+  // level to the next, and a stretch is long enough to be read in one go.
+  constexpr std::size_t together = 4096;
   const std::size_t columns = static_cast<std::size_t>(voxels.grid.dimensions[0]) *
                               static_cast<std::size_t>(voxels.grid.dimensions[1]);
   const std::size_t stretches = (columns + together - 1) / together;

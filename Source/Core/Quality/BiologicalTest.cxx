@@ -70,7 +70,7 @@ public:
   // Reads dBZ above the gates of a range of a row; NoNumber where there is no echo.
   void Read(std::size_t place, const GateRange& range, std::vector<float>& values) const
   {
-    values.resize(range.IsEmpty() ? 0 : range.end - range.begin);
+    values.resize(range.Size());
     for (const Part& part : parts)
     {
       const std::size_t begin = std::max(range.begin, part.gates.begin);

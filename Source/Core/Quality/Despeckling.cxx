@@ -21,25 +21,18 @@ namespace nexrad
 namespace
 {
 
-constexpr std::size_t noRay = std::numeric_limits<std::size_t>::max();
-
-// A ray and those beside it, as places in the order of azimuths; noRay where there is none.
+// A ray and those beside it, as places in the order of azimuths; Rays() where there is none.
 using RayPlaces = std::array<std::size_t, 3>;
 
-// Which gates of a sweep have a value, and the rays in the order of their azimuths.
-class HeldGates
+// Which gates of a sweep have a value.
+class HeldGates : public SweepRays
 {
 public:
   explicit HeldGates(const PolarSweep& theSweep)
-    : sweep(theSweep)
-    , elevation(MedianElevation(theSweep))
-    , cosine(std::cos(elevation * RadiansPerDegree))
+    : SweepRays(theSweep)
+    , sweep(theSweep)
+    , cosine(std::cos(this->Elevation() * RadiansPerDegree))
   {
-    for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
-    {
-      order.emplace_back(ToFullTurn(static_cast<double>(sweep.rays[ray].azimuth)), ray);
-    }
-    std::sort(order.begin(), order.end());
     std::vector<std::uint16_t> codes(sweep.gates);
     for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
     {
@@ -49,13 +42,6 @@ public:
         { return code >= GateCode::FirstValue ? std::uint8_t(1) : std::uint8_t(0); });
     }
   }
-
-  double Elevation() const { return elevation; }
-  std::size_t Rays() const { return order.size(); }
-  std::size_t RayAt(std::size_t place) const { return order[place].second; }
-  double AzimuthAt(std::size_t place) const { return order[place].first; }
-  std::size_t Index(std::size_t ray, std::size_t gate) const { return ray * sweep.gates + gate; }
-  bool HasValue(std::size_t index) const { return valid[index] != 0; }
 
   // m along the ground, but for the earth's curvature, which is the same for all tilts.
   double DistanceOf(std::size_t gate) const
@@ -72,29 +58,16 @@ public:
   // The ray nearest to an azimuth and those beside it.
   RayPlaces PlacesAbout(double azimuth) const
   {
-    const auto next = std::lower_bound(order.begin(), order.end(), std::make_pair(azimuth, noRay),
-      [](const auto& a, const auto& b) { return a.first < b.first; });
-    const std::size_t count = order.size();
-    const std::size_t after = static_cast<std::size_t>(next - order.begin()) % count;
-    const std::size_t before = (after + count - 1) % count;
-    const bool nearerBefore = this->Apart(before, azimuth) < this->Apart(after, azimuth);
-    const std::size_t nearest = nearerBefore ? before : after;
-    if (this->Apart(nearest, azimuth) > WidestGap)
-    {
-      return {noRay, noRay, noRay};
-    }
-    return this->PlacesBeside(nearest);
+    const std::size_t nearest = this->PlaceAt(azimuth, WidestGap);
+    return nearest < this->Rays() ? this->PlacesBeside(nearest)
+                                  : RayPlaces{nearest, nearest, nearest};
   }
 
   RayPlaces PlacesBeside(std::size_t place) const
   {
-    const std::size_t count = order.size();
-    const std::size_t before = (place + count - 1) % count;
-    const std::size_t after = (place + 1) % count;
-    const double azimuth = order[place].first;
-    const bool several = count > 2; // else the ray before is the one after
-    return {several && this->Apart(before, azimuth) <= WidestGap ? before : noRay, place,
-      several && this->Apart(after, azimuth) <= WidestGap ? after : noRay};
+    const bool several = this->Rays() > 2; // else the ray before is the one after
+    return {several ? this->Beside(place, -1) : this->Rays(), place,
+      several ? this->Beside(place, 1) : this->Rays()};
   }
 
   // How many of the nine gates about a gate of these rays have a value.
@@ -105,25 +78,18 @@ public:
     const std::ptrdiff_t last = std::min(gate + 1, static_cast<std::ptrdiff_t>(sweep.gates) - 1);
     for (const std::size_t place : places)
     {
-      for (std::ptrdiff_t each = first; place != noRay && each <= last; ++each)
+      for (std::ptrdiff_t each = first; place < this->Rays() && each <= last; ++each)
       {
-        count += valid[this->Index(order[place].second, static_cast<std::size_t>(each))];
+        count += valid[this->RayAt(place) * sweep.gates + static_cast<std::size_t>(each)];
       }
     }
     return count;
   }
 
 private:
-  double Apart(std::size_t place, double azimuth) const
-  {
-    return std::abs(AngleDifference(order[place].first, azimuth));
-  }
-
   const PolarSweep& sweep;
-  const double elevation;
   const double cosine;
-  std::vector<std::pair<double, std::size_t>> order; // azimuth 0…360 and ray
-  std::vector<std::uint8_t> valid;                   // 1 for a gate with a value, rays × gates
+  std::vector<std::uint8_t> valid; // 1 for a gate with a value, rays × gates
 };
 
 using Cuts = std::vector<const HeldGates*>;
@@ -176,22 +142,23 @@ private:
   std::vector<std::pair<const HeldGates*, RayPlaces>> places;
 };
 
-// Indices of the gates of a sweep that have too few neighbours, ascending.
-std::vector<std::size_t> FindSpeckle(const PolarSweep& sweep, const HeldGates& own,
-  const std::vector<HeldGates>& sweeps, int neighbours)
+// Takes the gates out of a sweep that have too few neighbours.
+void TakeOutSpeckle(
+  const HeldGates& own, const std::vector<HeldGates>& sweeps, int neighbours, PolarSweep& sweep)
 {
   const Cuts below = FindNextTilt(sweeps, own, -1.0);
   const Cuts above = FindNextTilt(sweeps, own, 1.0);
-  std::vector<std::size_t> speckle;
+  std::vector<std::uint16_t> codes(sweep.gates);
   for (std::size_t place = 0; place < own.Rays(); ++place)
   {
     const RayPlaces beside = own.PlacesBeside(place);
     const BesideRay lower(below, own.AzimuthAt(place));
     const BesideRay upper(above, own.AzimuthAt(place));
+    sweep.Read(own.RayAt(place), codes.data());
+    bool changed = false;
     for (std::size_t gate = 0; gate < sweep.gates; ++gate)
     {
-      const std::size_t index = own.Index(own.RayAt(place), gate);
-      if (!own.HasValue(index))
+      if (codes[gate] < GateCode::FirstValue)
       {
         continue;
       }
@@ -200,36 +167,20 @@ std::vector<std::size_t> FindSpeckle(const PolarSweep& sweep, const HeldGates& o
       count += count < neighbours ? upper.CountAt(own.DistanceOf(gate)) : 0;
       if (count < neighbours)
       {
-        speckle.push_back(index);
+        codes[gate] = GateCode::Filtered;
+        changed = true;
       }
     }
-  }
-  std::sort(speckle.begin(), speckle.end());
-  return speckle;
-}
-
-// Takes gates out of a sweep; `speckle` ascending.
-void TakeOut(const std::vector<std::size_t>& speckle, PolarSweep& sweep)
-{
-  GateRows rows(sweep.rows.LargestCode());
-  std::vector<std::uint16_t> codes(sweep.gates);
-  auto next = speckle.begin();
-  for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
-  {
-    sweep.Read(ray, codes.data());
-    for (; next != speckle.end() && *next < (ray + 1) * sweep.gates; ++next)
+    if (changed)
     {
-      codes[*next - ray * sweep.gates] = GateCode::Filtered;
+      sweep.rows.Replace(own.RayAt(place), codes.data());
     }
-    rows.Append(codes.data(), codes.size());
   }
-  rows.Finish();
-  sweep.rows = std::move(rows);
 }
 
 } // namespace
 
-std::vector<std::size_t> Despeckle(PolarVolume& volume, int neighbours)
+void Despeckle(PolarVolume& volume, int neighbours)
 {
   if (neighbours < 0 || neighbours > MostNeighbours)
   {
@@ -237,36 +188,24 @@ std::vector<std::size_t> Despeckle(PolarVolume& volume, int neighbours)
                 " neighbours: must be from 0, which keeps all, to " +
                 std::to_string(MostNeighbours));
   }
-  std::vector<std::size_t> removed(volume.sweeps.size(), 0);
   if (neighbours == 0)
   {
-    return removed;
+    return;
   }
-  std::vector<HeldGates> sweeps;
-  std::vector<std::size_t> numbers;
-  for (std::size_t i = 0; i < volume.sweeps.size(); ++i)
+  std::vector<PolarSweep*> sweeps;
+  std::vector<HeldGates> held; // as they were
+  for (PolarSweep& sweep : volume.sweeps)
   {
-    const PolarSweep& sweep = volume.sweeps[i];
     if (!sweep.rays.empty() && sweep.gates > 0 && sweep.gateSpacing > 0.0)
     {
-      sweeps.emplace_back(sweep);
-      numbers.push_back(i);
+      sweeps.push_back(&sweep);
+      held.emplace_back(sweep);
     }
   }
-  std::vector<std::vector<std::size_t>> speckle;
   for (std::size_t i = 0; i < sweeps.size(); ++i)
   {
-    speckle.push_back(FindSpeckle(volume.sweeps[numbers[i]], sweeps[i], sweeps, neighbours));
+    TakeOutSpeckle(held[i], held, neighbours, *sweeps[i]);
   }
-  for (std::size_t i = 0; i < speckle.size(); ++i)
-  {
-    removed[numbers[i]] = speckle[i].size();
-    if (!speckle[i].empty())
-    {
-      TakeOut(speckle[i], volume.sweeps[numbers[i]]);
-    }
-  }
-  return removed;
 }
 
 } // namespace nexrad

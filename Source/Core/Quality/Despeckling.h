@@ -3,9 +3,6 @@
 
 #include "nexrad/Polar/PolarVolume.h"
 
-#include <cstddef>
-#include <vector>
-
 namespace nexrad
 {
 
@@ -22,7 +19,7 @@ constexpr int MostNeighbours = 26;
 /// A gate that is taken out becomes Filtered: it carries no weight, and does not say that there
 /// is no echo (Formulas Q5). Where it stood alone, its neighbours without echo fill its place.
 ///
-/// Returns how many gates were taken out of each sweep. Throws Error unless `neighbours` is 0…26.
-std::vector<std::size_t> Despeckle(PolarVolume& volume, int neighbours);
+/// Throws Error unless `neighbours` is 0…26.
+void Despeckle(PolarVolume& volume, int neighbours);
 
 } // namespace nexrad

@@ -4,8 +4,6 @@
 #include "nexrad/Model/Elevation.h"
 #include "nexrad/Quality/BiologicalTest.h"
 #include "nexrad/Quality/GroundTest.h"
-#include "nexrad/Quality/PropagationTest.h"
-#include "nexrad/Quality/SpeckleTest.h"
 #include "nexrad/Quality/SpikeTest.h"
 #include "nexrad/Quality/SplitCuts.h"
 #include "nexrad/Quality/SweepJudgement.h"
@@ -30,6 +28,7 @@ constexpr double verticalStep = 0.75;    // degrees between tilts that are compa
 constexpr std::size_t rowsTogether = 30; // of one piece of work
 constexpr double betweenGates = 2000.0;  // m, at most, between gates of two moments at one place
 
+constexpr std::size_t fewGates = 3;         // fewer connected ones are speckle
 constexpr std::size_t countedTogether = 64; // gates: their number fits in a byte
 
 // Gates of a reason, of up to countedTogether ones. The compiler counts several at once.
@@ -65,6 +64,44 @@ void CountReasons(const EchoReason* reasons, std::size_t count, ReasonCounts& co
   }
 }
 
+// Whether a gate is weather or biological echo. The compiler compares several at once.
+bool Stays(EchoReason reason)
+{
+  const bool weather = (reason >= EchoReason::Plain) & (reason <= EchoReason::Debris);
+  const bool biological =
+    (reason >= EchoReason::FlightPolarimetry) & (reason <= EchoReason::ClearAir);
+  return weather | biological;
+}
+
+// The speckle of a sweep (Formulas Q3): weather and biological echo of which fewer than three gates
+// are connected.
+void FindSpeckle(SweepJudgement& sweep)
+{
+  std::vector<std::uint8_t> members(sweep.reasons.size(), 0);
+  for (std::size_t place = 0; place < sweep.grid->Rays(); ++place)
+  {
+    const GateRange held = sweep.grid->Held(place);
+    const EchoReason* reasons = sweep.reasons.data() + sweep.Index(place, 0);
+    std::transform(reasons + held.begin, reasons + held.end,
+      members.data() + sweep.Index(place, held.begin),
+      [](EchoReason reason) -> std::uint8_t { return Stays(reason) ? 1 : 0; });
+  }
+  const GateRegions regions(*sweep.grid, members);
+  std::vector<std::size_t> gates(regions.Count(), 0);
+  for (const GateRun& run : regions.Runs())
+  {
+    gates[run.region] += run.end - run.begin;
+  }
+  for (const GateRun& run : regions.Runs())
+  {
+    if (gates[run.region] < fewGates)
+    {
+      EchoReason* first = sweep.reasons.data() + sweep.Index(run.place, 0);
+      std::fill(first + run.begin, first + run.end, EchoReason::FewGates);
+    }
+  }
+}
+
 struct Rows
 {
   std::size_t sweep;
@@ -85,14 +122,15 @@ public:
 
   EchoClassification Run()
   {
-    this->ForAll([this](std::size_t number)
+    RunEach(loop, sweeps.size(),
+      [this](std::size_t number)
       { sweeps[number].Set(moments.reflectivity.sweeps[number], sources[number]); });
     for (SweepJudgement& sweep : sweeps)
     {
       sweep.above = this->FindAbove(sweep);
     }
     this->Judge();
-    this->ForSweeps([this](std::size_t number) { this->FindClasses(number); });
+    this->ForSweeps([this](std::size_t number) { this->FindClasses(sweeps[number]); });
     // Halves of split cuts copy from others, which must be done then.
     this->ForSweeps([this](std::size_t number) { this->FinishClasses(number, false); });
     this->ForSweeps([this](std::size_t number) { this->FinishClasses(number, true); });
@@ -100,24 +138,11 @@ public:
   }
 
 private:
-  template <typename Work>
-  void ForAll(const Work& work)
-  {
-    RunLoop(loop, static_cast<int>(sweeps.size()),
-      [&](int begin, int end)
-      {
-        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-        {
-          work(i);
-        }
-      });
-  }
-
   // For the sweeps with gates.
   template <typename Work>
   void ForSweeps(const Work& work)
   {
-    this->ForAll(
+    RunEach(loop, sweeps.size(),
       [&](std::size_t number)
       {
         if (sweeps[number].grid)
@@ -141,11 +166,6 @@ private:
     return found;
   }
 
-  bool IsPolarimetric(std::size_t number) const
-  {
-    return sources[number].correlation.sweep != nullptr;
-  }
-
   // All gates of sweeps of two polarisations, some rows a piece of work, and those gates of the
   // others that can be ground.
   void Judge()
@@ -154,26 +174,19 @@ private:
     for (std::size_t i = 0; i < sweeps.size(); ++i)
     {
       const std::size_t rows = sweeps[i].judged > 0 ? sweeps[i].grid->Rays() : 0;
-      const std::size_t together = this->IsPolarimetric(i) ? rowsTogether : rows;
+      const std::size_t together = sweeps[i].IsPolarimetric() ? rowsTogether : rows;
       for (std::size_t row = 0; row < rows; row += together)
       {
         pieces.push_back({i, row, std::min(row + together, rows)});
       }
     }
-    RunLoop(loop, static_cast<int>(pieces.size()),
-      [&](int begin, int end)
-      {
-        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-        {
-          this->JudgeRows(pieces[i]);
-        }
-      });
+    RunEach(loop, pieces.size(), [&](std::size_t piece) { this->JudgeRows(pieces[piece]); });
   }
 
   void JudgeRows(const Rows& rows)
   {
     SweepJudgement& sweep = sweeps[rows.sweep];
-    if (!this->IsPolarimetric(rows.sweep))
+    if (!sweep.IsPolarimetric())
     {
       SearchGround(sweep, sources[rows.sweep]);
       return;
@@ -186,22 +199,20 @@ private:
     }
   }
 
-  void FindClasses(std::size_t number)
+  void FindClasses(SweepJudgement& sweep)
   {
-    SweepJudgement& sweep = sweeps[number];
-    const bool polarimetric = this->IsPolarimetric(number);
-    if (sweep.judged > 0 && polarimetric)
-    {
-      FindFlight(sweeps, sweep);
-    }
     if (sweep.judged > 0)
     {
-      FindGround(sweep, polarimetric);
-      FindPropagation(sweep, polarimetric);
-    }
-    if (sweep.judged > 0 && !polarimetric)
-    {
-      FindClearAir(sweeps, sweep);
+      if (sweep.IsPolarimetric())
+      {
+        FindFlight(sweeps, sweep);
+      }
+      FindGround(sweep);
+      FindPropagation(sweep);
+      if (!sweep.IsPolarimetric())
+      {
+        FindClearAir(sweeps, sweep);
+      }
     }
     FindSpikes(*sweep.grid, sweep.reasons);
   }
@@ -260,7 +271,7 @@ private:
     EchoClassification result;
     result.sweeps.resize(sweeps.size());
     std::vector<ReasonCounts> counts(sweeps.size());
-    this->ForAll(
+    RunEach(loop, sweeps.size(),
       [&](std::size_t number)
       {
         const PolarSweep& sweep = moments.reflectivity.sweeps[number];

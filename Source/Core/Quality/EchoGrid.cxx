@@ -6,21 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <numeric>
 #include <utility>
 
 namespace nexrad
 {
 
-EchoGrid::EchoGrid(const PolarSweep& sweep)
+SweepRays::SweepRays(const PolarSweep& sweep)
   : elevation(MedianElevation(sweep))
-  , first(sweep.firstGate)
-  , spacing(sweep.gateSpacing)
-  , gates(sweep.gates)
-  , values(sweep.rays.size() * sweep.gates, NoNumber)
-  , empty(sweep.gates, NoNumber)
-  , held(sweep.rays.size())
 {
   std::vector<std::pair<double, std::size_t>> sorted;
   for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
@@ -39,11 +32,55 @@ EchoGrid::EchoGrid(const PolarSweep& sweep)
     const double apart = AngleBetween(azimuths[place], azimuths[next]);
     linked.push_back(next != place && apart <= WidestGap ? 1 : 0);
   }
-  std::vector<std::uint16_t> codes(gates);
-  for (std::size_t place = 0; place < order.size(); ++place)
+}
+
+std::size_t SweepRays::PlaceAt(double azimuth, double farthest) const
+{
+  // Nearly always the rays lie evenly about the circle.
+  const auto even = static_cast<std::size_t>(azimuth / 360.0 * static_cast<double>(order.size()));
+  const std::size_t low = even - std::min<std::size_t>(even, 2);
+  const std::size_t high = std::min<std::size_t>(even + 3, order.size());
+  const bool lies = low < high && azimuths[low] < azimuth && azimuths[high - 1] >= azimuth;
+  const auto begin = azimuths.begin() + static_cast<std::ptrdiff_t>(lies ? low : 0);
+  const auto end = azimuths.begin() + static_cast<std::ptrdiff_t>(lies ? high : order.size());
+  const auto next = std::lower_bound(begin, end, azimuth);
+  const std::size_t after = static_cast<std::size_t>(next - azimuths.begin()) % order.size();
+  const std::size_t before = (after + order.size() - 1) % order.size();
+  const auto apart = [&](std::size_t place) { return AngleBetween(azimuths[place], azimuth); };
+  const std::size_t nearest = apart(before) < apart(after) ? before : after;
+  return apart(nearest) <= farthest ? nearest : order.size();
+}
+
+std::size_t SweepRays::Beside(std::size_t place, int step) const
+{
+  const std::size_t count = order.size();
+  for (int i = 0; i < std::abs(step); ++i)
   {
-    held[place] = sweep.rows.Held(order[place], gates);
-    sweep.rows.Read(order[place], held[place].end, codes.data());
+    const std::size_t next = (place + (step > 0 ? 1 : count - 1)) % count;
+    if (linked[step > 0 ? place : next] == 0)
+    {
+      return count;
+    }
+    place = next;
+  }
+  return place;
+}
+
+EchoGrid::EchoGrid(const PolarSweep& sweep)
+  : SweepRays(sweep)
+  , first(sweep.firstGate)
+  , spacing(sweep.gateSpacing)
+  , gates(sweep.gates)
+  , values(sweep.rays.size() * sweep.gates, NoNumber)
+  , empty(sweep.gates, NoNumber)
+  , held(sweep.rays.size())
+{
+  std::vector<std::uint16_t> codes(gates);
+  for (std::size_t place = 0; place < this->Rays(); ++place)
+  {
+    const std::size_t ray = this->RayAt(place);
+    held[place] = sweep.rows.Held(ray, gates);
+    sweep.rows.Read(ray, held[place].end, codes.data());
     float* row = values.data() + place * gates;
     for (std::size_t gate = held[place].begin; gate < held[place].end; ++gate)
     {
@@ -64,64 +101,11 @@ std::size_t EchoGrid::GatesWithin(double range) const
   return static_cast<std::size_t>(std::clamp(count, 0.0, static_cast<double>(gates)));
 }
 
-std::size_t EchoGrid::PlaceAt(double azimuth) const
-{
-  constexpr double farthest = 1.5; // degrees
-  // Nearly always the rays lie evenly about the circle.
-  const auto even = static_cast<std::size_t>(azimuth / 360.0 * static_cast<double>(order.size()));
-  const std::size_t low = even - std::min<std::size_t>(even, 2);
-  const std::size_t high = std::min<std::size_t>(even + 3, order.size());
-  const bool lies = low < high && azimuths[low] < azimuth && azimuths[high - 1] >= azimuth;
-  const auto begin = azimuths.begin() + static_cast<std::ptrdiff_t>(lies ? low : 0);
-  const auto end = azimuths.begin() + static_cast<std::ptrdiff_t>(lies ? high : order.size());
-  const auto next = std::lower_bound(begin, end, azimuth);
-  const std::size_t after = static_cast<std::size_t>(next - azimuths.begin()) % order.size();
-  const std::size_t before = (after + order.size() - 1) % order.size();
-  const auto apart = [&](std::size_t place) { return AngleBetween(azimuths[place], azimuth); };
-  const std::size_t nearest = apart(before) < apart(after) ? before : after;
-  return apart(nearest) <= farthest ? nearest : order.size();
-}
-
-std::size_t EchoGrid::Beside(std::size_t place, int step) const
-{
-  const std::size_t count = order.size();
-  for (int i = 0; i < std::abs(step); ++i)
-  {
-    const std::size_t next = (place + (step > 0 ? 1 : count - 1)) % count;
-    if (linked[step > 0 ? place : next] == 0)
-    {
-      return count;
-    }
-    place = next;
-  }
-  return place;
-}
-
 const float* EchoGrid::RowBeside(std::size_t place, int step) const
 {
   const std::size_t beside = this->Beside(place, step);
   return beside < this->Rays() ? this->Row(beside) : empty.data();
 }
-
-namespace
-{
-
-// The first of some gates that counts; `end` without any.
-const std::uint8_t* FindMember(const std::uint8_t* gate, const std::uint8_t* end)
-{
-  std::uint64_t eight = 0;
-  for (; end - gate >= 8; gate += 8)
-  {
-    std::memcpy(&eight, gate, sizeof eight);
-    if (eight != 0)
-    {
-      break;
-    }
-  }
-  return std::find_if(gate, end, [](std::uint8_t member) { return member != 0; });
-}
-
-} // namespace
 
 GateRegions::GateRegions(const EchoGrid& grid, const std::vector<std::uint8_t>& members)
 {
@@ -133,12 +117,12 @@ GateRegions::GateRegions(const EchoGrid& grid, const std::vector<std::uint8_t>& 
     const std::uint8_t* row = members.data() + grid.RayAt(place) * gates;
     const GateRange held = grid.Held(place);
     const std::uint8_t* last = row + held.end;
-    for (const std::uint8_t* begin = FindMember(row + held.begin, last); begin != last;)
+    for (const std::uint8_t* begin = SkipZeros(row + held.begin, last); begin != last;)
     {
       const std::uint8_t* end = std::find(begin, last, std::uint8_t(0));
       runs.push_back({static_cast<std::uint32_t>(place), static_cast<std::uint32_t>(begin - row),
         static_cast<std::uint32_t>(end - row), 0});
-      begin = FindMember(end, last);
+      begin = SkipZeros(end, last);
     }
   }
   firstRuns.push_back(runs.size());

@@ -23,17 +23,40 @@ inline bool IsNumber(float value)
 /// Degrees between two rays that are neighbours, at most.
 constexpr double WidestGap = 1.9;
 
-/// Reflectivity of one sweep in dBZ, a row for each ray, in the order of azimuths.
-class EchoGrid
+/// The rays of a sweep, in the order of their azimuths.
+class SweepRays
 {
 public:
-  /// Reads a sweep, which must outlive the grid and have rays and gates.
-  explicit EchoGrid(const PolarSweep& sweep);
+  explicit SweepRays(const PolarSweep& sweep);
 
   std::size_t Rays() const { return order.size(); }
-  std::size_t Gates() const { return gates; }
   /// Degrees, the median of the rays.
   double Elevation() const { return elevation; }
+  /// The ray of the sweep at a place, and its azimuth in degrees, 0…360.
+  std::size_t RayAt(std::size_t place) const { return order[place]; }
+  double AzimuthAt(std::size_t place) const { return azimuths[place]; }
+  /// The place nearest to an azimuth; Rays() where none is within `farthest` degrees. There must be
+  /// rays.
+  std::size_t PlaceAt(double azimuth, double farthest = 1.5) const;
+  /// The place after (`step` above 0) or before another, round the circle; Rays() across a gap of
+  /// more than WidestGap between two rays on the way.
+  std::size_t Beside(std::size_t place, int step) const;
+
+private:
+  double elevation;
+  std::vector<std::size_t> order;
+  std::vector<double> azimuths;
+  std::vector<std::uint8_t> linked; // whether the ray after each is its neighbour
+};
+
+/// Reflectivity of one sweep in dBZ, a row for each ray, in the order of azimuths.
+class EchoGrid : public SweepRays
+{
+public:
+  /// Reads a sweep, which must have rays and gates.
+  explicit EchoGrid(const PolarSweep& sweep);
+
+  std::size_t Gates() const { return gates; }
   double GateSpacing() const { return spacing; }
   /// Slant range of a gate's centre, m.
   double RangeOf(std::size_t gate) const { return first + spacing * static_cast<double>(gate); }
@@ -41,15 +64,6 @@ public:
   std::ptrdiff_t GateAt(double range) const;
   /// Gates of every ray whose centre lies within a slant range, m.
   std::size_t GatesWithin(double range) const;
-
-  /// The ray of the sweep that a row is of, and its azimuth in degrees, 0…360.
-  std::size_t RayAt(std::size_t place) const { return order[place]; }
-  double AzimuthAt(std::size_t place) const { return azimuths[place]; }
-  /// The row nearest to an azimuth; Rays() where none is within 1.5°.
-  std::size_t PlaceAt(double azimuth) const;
-  /// The row after (`step` above 0) or before another, round the circle; Rays() across a gap of
-  /// more than WidestGap between two rays on the way.
-  std::size_t Beside(std::size_t place, int step) const;
 
   /// Gates() numbers; NoNumber where there is no value.
   const float* Row(std::size_t place) const { return values.data() + place * gates; }
@@ -59,13 +73,9 @@ public:
   GateRange Held(std::size_t place) const { return held[place]; }
 
 private:
-  double elevation;
   double first;
   double spacing;
   std::size_t gates;
-  std::vector<std::size_t> order;
-  std::vector<double> azimuths;
-  std::vector<std::uint8_t> linked; // whether the row after each is its neighbour
   std::vector<float> values;
   std::vector<float> empty;
   std::vector<GateRange> held;

@@ -148,7 +148,7 @@ const EvidenceReader::RowTextures& EvidenceReader::TexturesOf(std::size_t place)
   row.place = place;
   row.begin = summed.begin;
   RowGeometry part = geometry;
-  part.gates = summed.IsEmpty() ? 0 : summed.end - summed.begin;
+  part.gates = summed.Size();
   part.firstGate = grid.RangeOf(summed.begin);
   row.textures.Set(grid.Row(place) + summed.begin, sources, grid.RayAt(place), part);
   return row;

@@ -12,54 +12,40 @@
 namespace nexrad
 {
 
-/// What is measured about one gate, over a window of three rays. NoNumber where nothing is known.
-struct GateEvidence
+/// What is measured about a gate, over a window of three rays: numbers of one gate, or arrays of
+/// those of several gates. NoNumber where nothing is known.
+template <class Number>
+struct EvidenceOf
 {
-  float reflectivity = NoNumber;   ///< dBZ
-  float range = 0.0F;              ///< m, slant range
-  float elevation = 0.0F;          ///< degrees
-  float agreement = NoNumber;      ///< 0…1: part of the gates about it that are within 3 dB of it
-  float squares = NoNumber;        ///< dB², mean squared difference along the ray
-  float turns = NoNumber;          ///< 0…1: spin
-  float still = NoNumber;          ///< 0…1: part of the velocities that are near 0 and narrow
-  float ownStill = NoNumber;       ///< the same of the gate alone
-  float speed = NoNumber;          ///< m/s, mean |V|
-  float ownSpeed = NoNumber;       ///< m/s, mean |V| of the gate alone
-  float flow = NoNumber;           ///< 0…1: |mean V| / mean |V|, 1 where all move one way
-  float width = NoNumber;          ///< m/s, mean spectrum width
-  float correlation = NoNumber;    ///< mean ρ_hv
-  float ownCorrelation = NoNumber; ///< ρ_hv of the gate alone
-  float ratio = NoNumber;          ///< dB, mean Z_DR
-  float ratioSpread = NoNumber;    ///< dB, standard deviation of Z_DR, of neighbouring gates
-  float phaseSpread = NoNumber;    ///< degrees, the same of Φ_DP
-  float filterPower = NoNumber;    ///< dB that the clutter filter removed
-  float gradient = NoNumber;       ///< dB a degree, how much weaker the next tilt above is there
+  Number reflectivity{};   ///< dBZ
+  Number range{};          ///< m, slant range
+  float elevation = 0.0F;  ///< degrees
+  Number agreement{};      ///< 0…1: part of the gates about it that are within 3 dB of it
+  Number squares{};        ///< dB², mean squared difference along the ray
+  Number turns{};          ///< 0…1: spin
+  Number still{};          ///< 0…1: part of the velocities that are near 0 and narrow
+  Number ownStill{};       ///< the same of the gate alone
+  Number speed{};          ///< m/s, mean |V|
+  Number ownSpeed{};       ///< m/s, mean |V| of the gate alone
+  Number flow{};           ///< 0…1: |mean V| / mean |V|, 1 where all move one way
+  Number width{};          ///< m/s, mean spectrum width
+  Number correlation{};    ///< mean ρ_hv
+  Number ownCorrelation{}; ///< ρ_hv of the gate alone
+  Number ratio{};          ///< dB, mean Z_DR
+  Number ratioSpread{};    ///< dB, standard deviation of Z_DR, of neighbouring gates
+  Number phaseSpread{};    ///< degrees, the same of Φ_DP
+  Number filterPower{};    ///< dB that the clutter filter removed
+  Number gradient{};       ///< dB a degree, how much weaker the next tilt above is there
 };
 
-/// The evidence of those gates of a row that have a value: an array for each member of
-/// GateEvidence, so that the processor works on several gates at once.
-struct EvidenceRow
+/// That of one gate.
+using GateEvidence = EvidenceOf<float>;
+
+/// The evidence of those gates of a row that have a value. The arrays let the processor work on
+/// several gates at once.
+struct EvidenceRow : EvidenceOf<std::vector<float>>
 {
   std::vector<std::size_t> gates; ///< which they are
-  float elevation = 0.0F;
-  std::vector<float> reflectivity;
-  std::vector<float> range;
-  std::vector<float> agreement;
-  std::vector<float> squares;
-  std::vector<float> turns;
-  std::vector<float> still;
-  std::vector<float> ownStill;
-  std::vector<float> speed;
-  std::vector<float> ownSpeed;
-  std::vector<float> flow;
-  std::vector<float> width;
-  std::vector<float> correlation;
-  std::vector<float> ownCorrelation;
-  std::vector<float> ratio;
-  std::vector<float> ratioSpread;
-  std::vector<float> phaseSpread;
-  std::vector<float> filterPower;
-  std::vector<float> gradient;
 
   /// Makes the arrays as long as `gates`, with NoNumber where not every gate has evidence.
   void Clear();

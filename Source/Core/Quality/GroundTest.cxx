@@ -5,6 +5,8 @@
 #include "nexrad/Quality/Textures.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -50,7 +52,7 @@ private:
         grid.Row(place), grid.Held(place), sources.velocity, grid.RayAt(place), geometry, codes);
       const GateRange all = this->AllOf(place);
       // Where most gates are asked for, the others may soon be, too.
-      wanted[place] = 2 * Length(still) > Length(all) ? all : still;
+      wanted[place] = 2 * still.Size() > all.Size() ? all : still;
       changed[place] = still.IsEmpty() ? 0 : 1;
     }
   }
@@ -115,11 +117,6 @@ private:
     }
   }
 
-  static std::size_t Length(const GateRange& range)
-  {
-    return range.IsEmpty() ? 0 : range.end - range.begin;
-  }
-
   // The gates of a ray that can be judged.
   GateRange AllOf(std::size_t place) const
   {
@@ -150,16 +147,6 @@ private:
   std::vector<GateRange> wanted;     // of each row the gates that are judged
   std::vector<std::uint8_t> changed; // rows that are to be judged, again or at all
 };
-
-} // namespace
-
-void SearchGround(SweepJudgement& sweep, const SweepSources& sources)
-{
-  GroundSearcher(sweep, sources).Run();
-}
-
-namespace
-{
 
 constexpr std::size_t fewestSure = 4; // one in so many gates of a region must be sure
 constexpr double vanishing = 8.0;     // dB a degree, mean
@@ -230,20 +217,287 @@ bool IsGround(const GroundRegion& region)
   return region.beside < fewestBeside || 2 * region.slow < region.beside;
 }
 
-EchoReason ReasonOf(const SweepJudgement& sweep, std::size_t index, bool polarimetric)
+EchoReason ReasonOf(const SweepJudgement& sweep, std::size_t index)
 {
   if (sweep.signs[index] == GroundSign::Sure)
   {
-    return polarimetric ? EchoReason::GroundPolarimetry : EchoReason::GroundTexture;
+    return sweep.IsPolarimetric() ? EchoReason::GroundPolarimetry : EchoReason::GroundTexture;
   }
   return sweep.speeds[index] == 0 && sweep.gradients[index] >= surelyGone
            ? EchoReason::GroundHeight
            : EchoReason::GroundRegion;
 }
 
+constexpr double highestTilt = 1.0; // degrees: above, the air hardly bends a beam to earth
+constexpr float weakestEcho = 5.0F; // dBZ of the gates of a region
+constexpr double about = 1000.0;    // m along the ray: the tilt above has echo near to a gate
+constexpr std::size_t widestGapAlongRay = 3; // km along the ray, within a region
+constexpr float steepest = 0.012F;           // dB a metre of height by which weather becomes weaker
+constexpr float poorest = -4.0F;             // dBZ at 50 km that the poorest of 38 real files has
+constexpr float overNoise = 5.0F;            // dB over the weakest echo of the sweep
+constexpr double fewestTelling = 20.0;       // gates of 1 km × 1° that the tilt above would see
+constexpr double leastTelling = 0.03;        // the same, of all gates of a region
+
+// What a region is like, at least, and how much of its outline is beside echo that the tilt above
+// has, at most. Roughness is the mean squared difference over 1 km along the ray, dB².
+constexpr float strongEcho = 30.0F; // dBZ, stronger than most shallow rain and snow
+constexpr double leastStrong = 0.05;
+constexpr double leastRoughness = 20.0;
+constexpr double mostEdge = 0.15;
+constexpr double surelyRough = 45.0; // no gate need be strong in an area as large
+constexpr double largeArea = 100.0;  // gates of 1 km × 1°
+constexpr double surelyStrong = 0.1; // side lobes of the tilt above see ground so strong and rough
+constexpr double mostSureEdge = 0.3;
+
+struct PropagationRegion
+{
+  std::size_t gates = 0;
+  std::size_t telling = 0;
+  std::size_t strong = 0;
+  std::size_t outline = 0; // gates beside one that is not of the region
+  std::size_t edge = 0;    // of these, gates beside weather that the tilt above has
+  std::size_t doubted = 0; // gates that two polarisations do not call weather
+  std::size_t pairs = 0;
+  double squares = 0.0; // dB²
+};
+
+// What a gate is.
+enum Mark : std::uint8_t
+{
+  Nothing, // no echo, or weak echo
+  Alone,   // echo that the tilt above does not have
+  Confirmed
+};
+
+class PropagationSearcher
+{
+public:
+  explicit PropagationSearcher(SweepJudgement& theSweep)
+    : sweep(theSweep)
+    , grid(*theSweep.grid)
+    , above(*theSweep.above)
+    , step(
+        std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(about / grid.GateSpacing()))))
+    , marks(theSweep.reasons.size(), Nothing)
+  {
+  }
+
+  void Run()
+  {
+    this->SetGates();
+    std::size_t telling = 0;
+    for (std::size_t place = 0; place < grid.Rays(); ++place)
+    {
+      telling += this->MarkRow(place);
+    }
+    if (this->AreaOf(telling) >= fewestTelling)
+    {
+      this->JudgeRegions();
+    }
+  }
+
+private:
+  // Of each gate the reflectivity from which on weather is seen in the tilt above, and the gates of
+  // that tilt that are near.
+  void SetGates()
+  {
+    const auto last = static_cast<std::ptrdiff_t>(above.Gates());
+    const auto gateOf = [&](double range)
+    { return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(above.GateAt(range), 0, last)); };
+    for (std::size_t gate = 0; gate < sweep.judged; ++gate)
+    {
+      const double range = std::max(1000.0, grid.RangeOf(gate));
+      const double rise =
+        BeamHeight(range, above.Elevation()) - BeamHeight(range, grid.Elevation());
+      const float weakest = std::min(
+        sweep.weakest[gate], poorest + static_cast<float>(20.0 * std::log10(range / 50e3)));
+      needed.push_back(weakest + overNoise + steepest * static_cast<float>(rise));
+      near.push_back({gateOf(range - about), std::min(above.Gates(), gateOf(range + about) + 1)});
+    }
+  }
+
+  // Returns how many gates are alone and would be seen in the tilt above.
+  std::size_t MarkRow(std::size_t place)
+  {
+    const std::size_t beyond = above.PlaceAt(grid.AzimuthAt(place));
+    if (beyond == above.Rays())
+    {
+      return 0;
+    }
+    const std::array<const float*, 3> upper = {
+      above.Row(beyond), above.RowBeside(beyond, -1), above.RowBeside(beyond, 1)};
+    const float* row = grid.Row(place);
+    const std::size_t first = sweep.Index(place, 0);
+    const GateRange held = grid.Held(place);
+    std::size_t telling = 0;
+    for (std::size_t gate = held.begin; gate < std::min(held.end, sweep.judged); ++gate)
+    {
+      const EchoClass known = ClassOf(sweep.reasons[first + gate]);
+      const bool isMeant = known == EchoClass::Weather || known == EchoClass::Ground;
+      if (isMeant && row[gate] >= weakestEcho)
+      {
+        const Mark mark = this->MarkOf(upper, gate);
+        marks[first + gate] = mark;
+        telling += mark == Alone && row[gate] >= needed[gate] ? 1 : 0;
+      }
+    }
+    return telling;
+  }
+
+  // By whether the tilt above has echo within 1 km along the ray, on one of three rays.
+  Mark MarkOf(const std::array<const float*, 3>& upper, std::size_t gate) const
+  {
+    const GateRange range = near[gate];
+    const bool isConfirmed = std::any_of(upper.begin(), upper.end(),
+      [&range](const float* row) {
+        return range.end > range.begin && std::any_of(row + range.begin, row + range.end, IsNumber);
+      });
+    return isConfirmed ? Confirmed : Alone;
+  }
+
+  // Gates that are alone, and the gaps of two rays and of widestGapAlongRay between such gates:
+  // propagation comes in patches.
+  std::vector<std::uint8_t> Members() const
+  {
+    std::vector<std::uint8_t> along(marks.size(), 0);
+    std::vector<std::uint8_t> members(marks.size(), 0);
+    for (std::size_t place = 0; place < grid.Rays(); ++place)
+    {
+      const std::size_t first = sweep.Index(place, 0);
+      std::size_t reach = 0; // gates that a gate before still makes members
+      for (std::size_t gate = 0; gate < sweep.judged; ++gate)
+      {
+        reach = marks[first + gate] == Alone ? widestGapAlongRay * step + 1 : reach;
+        along[first + gate] = reach > 0 && marks[first + gate] != Confirmed ? 1 : 0;
+        reach -= reach > 0 ? 1 : 0;
+      }
+    }
+    for (std::size_t place = 0; place < grid.Rays(); ++place)
+    {
+      const std::size_t first = sweep.Index(place, 0);
+      for (const int beside : {0, 1, 2})
+      {
+        const std::size_t other = grid.Beside(place, beside);
+        for (std::size_t gate = 0; other < grid.Rays() && gate < sweep.judged; ++gate)
+        {
+          members[first + gate] |=
+            marks[first + gate] != Confirmed ? along[sweep.Index(other, gate)] : 0;
+        }
+      }
+    }
+    return members;
+  }
+
+  void JudgeRegions()
+  {
+    const GateRegions regions(grid, this->Members());
+    std::vector<PropagationRegion> all(regions.Count());
+    for (const GateRun& run : regions.Runs())
+    {
+      this->AddRun(run, all[run.region]);
+    }
+    for (const GateRun& run : regions.Runs())
+    {
+      const std::size_t first = sweep.Index(run.place, 0);
+      const bool propagates = this->IsPropagation(all[run.region]);
+      for (std::size_t index = first + run.begin; propagates && index < first + run.end; ++index)
+      {
+        EchoReason& reason = sweep.reasons[index];
+        reason = marks[index] != Nothing && ClassOf(reason) == EchoClass::Weather
+                   ? EchoReason::GroundHeight
+                   : reason;
+      }
+    }
+  }
+
+  void AddRun(const GateRun& run, PropagationRegion& region) const
+  {
+    const float* row = grid.Row(run.place);
+    const std::size_t first = sweep.Index(run.place, 0);
+    for (std::size_t gate = run.begin; gate < run.end; ++gate)
+    {
+      const std::size_t index = first + gate;
+      if (marks[index] != Alone)
+      {
+        continue;
+      }
+      ++region.gates;
+      region.telling += row[gate] >= needed[gate] ? 1 : 0;
+      region.strong += row[gate] >= strongEcho ? 1 : 0;
+      const bool flies = sweep.IsPolarimetric() && sweep.flights[index] != FlightSign::None;
+      region.doubted += flies || sweep.signs[index] != GroundSign::None ? 1 : 0;
+      if (gate >= step && IsNumber(row[gate - step]))
+      {
+        const auto difference = static_cast<double>(row[gate] - row[gate - step]);
+        region.squares += difference * difference;
+        ++region.pairs;
+      }
+      this->AddOutline(run.place, gate, region);
+    }
+  }
+
+  void AddOutline(std::size_t place, std::size_t gate, PropagationRegion& region) const
+  {
+    bool isOutline = false;
+    bool isEdge = false;
+    for (const int away : {-1, 0, 1})
+    {
+      const std::size_t beside = grid.Beside(place, away);
+      for (std::size_t other = gate - std::min<std::size_t>(1, gate);
+           beside < grid.Rays() && other < std::min(gate + 2, sweep.judged); ++other)
+      {
+        const std::uint8_t mark = marks[sweep.Index(beside, other)];
+        isOutline = isOutline || mark != Alone;
+        isEdge = isEdge || mark == Confirmed;
+      }
+    }
+    region.outline += isOutline ? 1 : 0;
+    region.edge += isEdge ? 1 : 0;
+  }
+
+  // In gates of 1 km × 1°.
+  double AreaOf(std::size_t gates) const
+  {
+    return static_cast<double>(gates) * grid.GateSpacing() / 1000.0 * 360.0 /
+           static_cast<double>(grid.Rays());
+  }
+
+  bool IsPropagation(const PropagationRegion& region) const
+  {
+    const auto gates = static_cast<double>(region.gates);
+    const auto telling = static_cast<double>(region.telling);
+    if (this->AreaOf(region.telling) < fewestTelling || telling < leastTelling * gates ||
+        (sweep.IsPolarimetric() && 2 * region.doubted < region.gates))
+    {
+      return false;
+    }
+    const double roughness = region.squares / std::max(1.0, static_cast<double>(region.pairs));
+    const double strong = static_cast<double>(region.strong) / gates;
+    const double edge = static_cast<double>(region.edge) /
+                        static_cast<double>(std::max<std::size_t>(1, region.outline));
+    const bool isSurely = roughness > surelyRough && strong > surelyStrong;
+    return edge <= (isSurely ? mostSureEdge : mostEdge) &&
+           ((roughness > leastRoughness && strong > leastStrong) ||
+             (roughness > surelyRough && this->AreaOf(region.gates) > largeArea));
+  }
+
+  SweepJudgement& sweep;
+  const EchoGrid& grid;
+  const EchoGrid& above;
+  std::size_t step;            // gates of 1 km along the ray
+  std::vector<float> needed;   // dBZ
+  std::vector<GateRange> near; // of the tilt above
+  std::vector<std::uint8_t> marks;
+};
+
 } // namespace
 
-void FindGround(SweepJudgement& sweep, bool polarimetric)
+void SearchGround(SweepJudgement& sweep, const SweepSources& sources)
+{
+  GroundSearcher(sweep, sources).Run();
+}
+
+void FindGround(SweepJudgement& sweep)
 {
   const GateRegions regions(*sweep.grid, sweep.signs);
   std::vector<GroundRegion> all(regions.Count());
@@ -256,8 +510,16 @@ void FindGround(SweepJudgement& sweep, bool polarimetric)
     for (std::size_t gate = run.begin; gate < run.end && IsGround(all[run.region]); ++gate)
     {
       const std::size_t index = sweep.Index(run.place, gate);
-      sweep.reasons[index] = ReasonOf(sweep, index, polarimetric);
+      sweep.reasons[index] = ReasonOf(sweep, index);
     }
+  }
+}
+
+void FindPropagation(SweepJudgement& sweep)
+{
+  if (sweep.above != nullptr && sweep.grid->Elevation() <= highestTilt)
+  {
+    PropagationSearcher(sweep).Run();
   }
 }
 

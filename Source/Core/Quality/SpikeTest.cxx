@@ -153,7 +153,17 @@ private:
     const auto middle = powers.begin() + static_cast<std::ptrdiff_t>(powers.size() / 2);
     std::nth_element(powers.begin(), middle, powers.end());
     const float power = *middle;
-    const RowsAbout about = this->Around(place);
+    // A spike is up to three rays wide: it is compared with three rays on each side.
+    const std::array<const float*, 3> before = {
+      grid.RowBeside(place, -1), grid.RowBeside(place, -2), grid.RowBeside(place, -3)};
+    const std::array<const float*, 3> after = {
+      grid.RowBeside(place, 1), grid.RowBeside(place, 2), grid.RowBeside(place, 3)};
+    const auto isOverBoth = [&](std::size_t gate)
+    {
+      const auto isBelow = [&](const float* other) { return other[gate] < row[gate] - over; };
+      return std::any_of(before.begin(), before.end(), isBelow) &&
+             std::any_of(after.begin(), after.end(), isBelow);
+    };
     const auto isSteady = [&](std::size_t gate)
     { return std::abs(row[gate] - spreading[gate] - power) <= steady; };
     std::size_t alike = 0;
@@ -163,7 +173,7 @@ private:
       if (IsNumber(row[gate]) && isSteady(gate))
       {
         ++alike;
-        alone += IsOverBoth(about, gate, row[gate]) ? 1 : 0;
+        alone += isOverBoth(gate) ? 1 : 0;
       }
     }
     if (static_cast<float>(alike) >= ofSteady * static_cast<float>(powers.size()) &&
@@ -177,25 +187,6 @@ private:
         });
       spikes.emplace_back(place, power);
     }
-  }
-
-  // A spike is up to three rays wide: it is compared with three rays on each side.
-  struct RowsAbout
-  {
-    std::array<const float*, 3> before;
-    std::array<const float*, 3> after;
-  };
-  RowsAbout Around(std::size_t place) const
-  {
-    return {{grid.RowBeside(place, -1), grid.RowBeside(place, -2), grid.RowBeside(place, -3)},
-      {grid.RowBeside(place, 1), grid.RowBeside(place, 2), grid.RowBeside(place, 3)}};
-  }
-
-  static bool IsOverBoth(const RowsAbout& rows, std::size_t gate, float value)
-  {
-    const auto isBelow = [&](const float* row) { return row[gate] < value - over; };
-    return std::any_of(rows.before.begin(), rows.before.end(), isBelow) &&
-           std::any_of(rows.after.begin(), rows.after.end(), isBelow);
   }
 
   template <typename Condition>

@@ -4,7 +4,6 @@
 #include "nexrad/Model/Elevation.h"
 #include "nexrad/Polar/SweepPairing.h"
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -18,31 +17,23 @@ namespace
 
 constexpr double sameDirection = 0.75; // degrees
 
-// The sweeps of a volume by their cuts.
-class CutTable
+using CutTable = std::map<int, const PolarSweep*>; // by elevation numbers
+
+// The sweeps of a volume by their cuts: the one with the most rays where rays of several gate
+// geometries make several.
+CutTable MakeCutTable(const PolarVolume& volume)
 {
-public:
-  explicit CutTable(const PolarVolume& volume)
+  CutTable cuts;
+  for (const PolarSweep& sweep : volume.sweeps)
   {
-    for (const PolarSweep& sweep : volume.sweeps)
+    if (!sweep.rays.empty() && sweep.gates > 0 && sweep.gateSpacing > 0.0)
     {
-      const bool serves = !sweep.rays.empty() && sweep.gates > 0 && sweep.gateSpacing > 0.0;
       const PolarSweep*& found = cuts[sweep.elevationNumber];
-      found = serves && (!found || sweep.rays.size() > found->rays.size()) ? &sweep : found;
+      found = !found || sweep.rays.size() > found->rays.size() ? &sweep : found;
     }
   }
-
-  // The sweep of a cut, the one with the most rays where rays of several gate geometries make
-  // several; nullptr when the volume has none.
-  const PolarSweep* Find(int elevationNumber) const
-  {
-    const auto found = cuts.find(elevationNumber);
-    return found == cuts.end() ? nullptr : found->second;
-  }
-
-private:
-  std::map<int, const PolarSweep*> cuts;
-};
+  return cuts;
+}
 
 bool IsSameTilt(const PolarSweep& one, const PolarSweep& other)
 {
@@ -57,33 +48,20 @@ const PolarSweep* FindCutWith(const CutTable& cuts, const PolarSweep& own, bool 
   for (const int number :
     {own.elevationNumber, own.elevationNumber + step, own.elevationNumber - step})
   {
-    const PolarSweep* found = cuts.Find(number);
-    if (found && IsSameTilt(*found, own))
+    const auto found = cuts.find(number);
+    if (found != cuts.end() && IsSameTilt(*found->second, own))
     {
-      return found;
+      return found->second;
     }
   }
   return nullptr;
 }
 
-// Whether two moments are of the same rays.
-bool HaveSameRays(const PolarSweep& one, const PolarSweep& other)
-{
-  return std::equal(one.rays.begin(), one.rays.end(), other.rays.begin(), other.rays.end(),
-    [](const PolarRay& a, const PolarRay& b) { return a.azimuth == b.azimuth; });
-}
-
-// `alike`: a source of another moment for the same sweep, whose rays are nearly always the same.
-MomentSource FindSource(
-  const CutTable& cuts, const PolarSweep& own, bool after, const MomentSource& alike = {})
+MomentSource FindSource(const CutTable& cuts, const PolarSweep& own, bool after)
 {
   MomentSource source;
   source.sweep = FindCutWith(cuts, own, after);
-  if (source.sweep && alike.sweep && HaveSameRays(*source.sweep, *alike.sweep))
-  {
-    source.rays = alike.rays;
-  }
-  else if (source.sweep)
+  if (source.sweep)
   {
     const RayFinder finder(*source.sweep);
     for (const PolarRay& ray : own.rays)
@@ -100,8 +78,8 @@ bool IsDopplerHalf(const std::vector<PolarSweep>& all, const CutTable& velocity,
 {
   return sweep > 0 && IsSameTilt(all[sweep - 1], all[sweep]) &&
          all[sweep - 1].elevationNumber + 1 == all[sweep].elevationNumber &&
-         velocity.Find(all[sweep].elevationNumber) != nullptr &&
-         velocity.Find(all[sweep - 1].elevationNumber) == nullptr;
+         velocity.count(all[sweep].elevationNumber) > 0 &&
+         velocity.count(all[sweep - 1].elevationNumber) == 0;
 }
 
 } // namespace
@@ -113,24 +91,18 @@ MeasuredMoments::MeasuredMoments(const PolarVolume& theReflectivity, const Measu
   const std::pair<MomentName, PolarVolume*> others[] = {{MomentName::VEL, &velocity},
     {MomentName::SW, &width}, {MomentName::RHO, &correlation}, {MomentName::ZDR, &ratio},
     {MomentName::PHI, &phase}, {MomentName::CFP, &filterPower}};
-  RunLoop(loop, static_cast<int>(std::size(others)),
-    [&](int begin, int end)
-    {
-      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-      {
-        *others[i].second = measured(others[i].first, judged);
-      }
-    });
+  RunEach(loop, std::size(others),
+    [&](std::size_t i) { *others[i].second = measured(others[i].first, judged); });
 }
 
 std::vector<SweepSources> FindSources(const MeasuredMoments& moments)
 {
-  const CutTable velocity(moments.velocity);
-  const CutTable width(moments.width);
-  const CutTable correlation(moments.correlation);
-  const CutTable ratio(moments.ratio);
-  const CutTable phase(moments.phase);
-  const CutTable filterPower(moments.filterPower);
+  const CutTable velocity = MakeCutTable(moments.velocity);
+  const CutTable width = MakeCutTable(moments.width);
+  const CutTable correlation = MakeCutTable(moments.correlation);
+  const CutTable ratio = MakeCutTable(moments.ratio);
+  const CutTable phase = MakeCutTable(moments.phase);
+  const CutTable filterPower = MakeCutTable(moments.filterPower);
   std::vector<SweepSources> all;
   for (std::size_t i = 0; i < moments.reflectivity.sweeps.size(); ++i)
   {
@@ -138,10 +110,10 @@ std::vector<SweepSources> FindSources(const MeasuredMoments& moments)
     const PolarSweep& own = moments.reflectivity.sweeps[i];
     SweepSources sources;
     sources.velocity = FindSource(velocity, own, true);
-    sources.width = FindSource(width, own, true, sources.velocity);
+    sources.width = FindSource(width, own, true);
     sources.correlation = FindSource(correlation, own, false);
-    sources.ratio = FindSource(ratio, own, false, sources.correlation);
-    sources.phase = FindSource(phase, own, false, sources.correlation);
+    sources.ratio = FindSource(ratio, own, false);
+    sources.phase = FindSource(phase, own, false);
     sources.filterPower = FindSource(filterPower, own, false);
     if (IsDopplerHalf(moments.reflectivity.sweeps, velocity, i))
     {

@@ -17,9 +17,8 @@ namespace
 constexpr float mostUnknown = 0.58F;
 constexpr float mostUnknownOfOnePolarisation = 0.56F;
 
-// Nothing here branches: the compiler works on several gates at once.
-
-constexpr std::size_t gatesTogether = 64;
+// What the evidence of a gate speaks for (Formulas Q1 and Q2). Everything that is known counts,
+// with fixed weights. Nothing here branches: the compiler works on several gates at once.
 
 float Known(float value)
 {
@@ -41,27 +40,6 @@ private:
   float sum = 0.0F;
   float weights = 0.0F;
 };
-
-void AddTextures(const GateEvidence& evidence, Mean& mean)
-{
-  mean.Add(Known(evidence.squares), Ramp(evidence.squares, 8.0F, 40.0F));
-  mean.Add(0.5F * Known(evidence.agreement), Ramp(evidence.agreement, 0.6F, 0.25F));
-}
-
-void AddVelocities(const GateEvidence& evidence, Mean& mean)
-{
-  mean.Add(Known(evidence.still), Ramp(evidence.still, 0.1F, 0.6F));
-  mean.Add(Known(evidence.ownStill), evidence.ownStill);
-}
-
-// The vertical test. Side lobes see the ground about the radar at all tilts, and high tilts see it
-// with side lobes alone.
-void AddGradient(const GateEvidence& evidence, Mean& mean)
-{
-  const float known =
-    Ramp(evidence.range, 5'000.0F, 25'000.0F) * Ramp(evidence.elevation, 4.5F, 1.0F);
-  mean.Add(known * Known(evidence.gradient), Ramp(evidence.gradient, 3.0F, 15.0F));
-}
 
 float NotWeather(const GateEvidence& evidence)
 {
@@ -120,9 +98,15 @@ float GroundOf(const GateEvidence& evidence, float notWeather)
 {
   const float polarimetric = Known(evidence.correlation);
   Mean mean;
-  AddTextures(evidence, mean);
-  AddVelocities(evidence, mean);
-  AddGradient(evidence, mean);
+  mean.Add(Known(evidence.squares), Ramp(evidence.squares, 8.0F, 40.0F));
+  mean.Add(0.5F * Known(evidence.agreement), Ramp(evidence.agreement, 0.6F, 0.25F));
+  mean.Add(Known(evidence.still), Ramp(evidence.still, 0.1F, 0.6F));
+  mean.Add(Known(evidence.ownStill), evidence.ownStill);
+  // The vertical test. Side lobes see the ground about the radar at all tilts, and high tilts see
+  // it with side lobes alone.
+  const float telling =
+    Ramp(evidence.range, 5'000.0F, 25'000.0F) * Ramp(evidence.elevation, 4.5F, 1.0F);
+  mean.Add(telling * Known(evidence.gradient), Ramp(evidence.gradient, 3.0F, 15.0F));
   mean.Add(2.0F * polarimetric, notWeather);
   // Nothing is surely ground that is not known to stand still.
   const float stands = evidence.ownStill > 0.1F ? 1.0F : 0.0F;
@@ -133,43 +117,12 @@ float GroundOf(const GateEvidence& evidence, float notWeather)
   return std::max(ground, 0.8F * LoneTarget(evidence));
 }
 
-} // namespace
-
-void FindInterest(const EvidenceRow& evidence, InterestRow& interest)
-{
-  const std::size_t gates = evidence.gates.size();
-  interest.ground.resize(gates);
-  interest.notWeather.resize(gates);
-  interest.roundCorrelation.resize(gates);
-  for (std::size_t first = 0; first < gates; first += gatesTogether)
-  {
-    // Arrays of this function's own: no other array can be the same memory.
-    float ground[gatesTogether];
-    float notWeather[gatesTogether];
-    float roundCorrelation[gatesTogether];
-    const std::size_t count = std::min(gatesTogether, gates - first);
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const GateEvidence gate = evidence.At(first + i);
-      notWeather[i] = Known(gate.correlation) * NotWeather(gate);
-      ground[i] = GroundOf(gate, notWeather[i]);
-      roundCorrelation[i] = RoundCorrelation(gate);
-    }
-    std::copy_n(ground, count, interest.ground.data() + first);
-    std::copy_n(notWeather, count, interest.notWeather.data() + first);
-    std::copy_n(roundCorrelation, count, interest.roundCorrelation.data() + first);
-  }
-}
-
-namespace
-{
-
 constexpr double halfBeam = 0.5;          // degrees
 constexpr double surelyNear = 20'000.0;   // m, range where side lobes see the ground
 constexpr float lowGround = 1000.0F;      // m, lower beam edge
 constexpr float highGround = 5000.0F;     // m, from which on ground takes the most interest
 constexpr float highestGround = 15000.0F; // m: higher up not even side lobes show ground
-constexpr double effectiveRadius = 4.0 / 3.0 * 6'371'000.0; // m, of the earth
+constexpr double effectiveRadius = 4.0 / 3.0 * EarthRadius; // m, of the earth
 constexpr float surelyGround = 0.59F;                       // interest of gates that are low
 constexpr float ofOnePolarisation = 0.02F; // less interest is enough without two polarisations
 constexpr float surelyHighGround = 0.65F;  // interest of gates from highGround on
@@ -289,10 +242,10 @@ std::uint8_t FlightOf(const GateEvidence& evidence, float roundCorrelation,
                                             : FlightSign::None;
 }
 
+// `ground` and `notWeather`: interest in them.
 void JudgeGate(SweepJudgement& sweep, std::size_t index, std::size_t gate,
-  const GateEvidence& evidence, const InterestRow& interest, std::size_t i)
+  const GateEvidence& evidence, float ground, float notWeather, float roundCorrelation)
 {
-  const float ground = interest.ground[i];
   const float limit = sweep.limits[gate] + CoreMargin(evidence) -
                       (IsNumber(evidence.correlation) ? 0.0F : ofOnePolarisation);
   sweep.signs[index] = ground >= limit            ? GroundSign::Sure
@@ -301,10 +254,10 @@ void JudgeGate(SweepJudgement& sweep, std::size_t index, std::size_t gate,
   sweep.speeds[index] =
     IsNumber(evidence.ownSpeed) ? SpeedCode(evidence.ownSpeed) : std::uint8_t(0);
   sweep.gradients[index] = static_cast<std::int8_t>(std::clamp(evidence.gradient, -100.0F, 100.0F));
-  sweep.reasons[index] = ReasonOf(evidence, interest.notWeather[i], sweep, gate);
-  if (!sweep.flights.empty() && sweep.reasons[index] != EchoReason::GroundFilter)
+  sweep.reasons[index] = ReasonOf(evidence, notWeather, sweep, gate);
+  if (sweep.IsPolarimetric() && sweep.reasons[index] != EchoReason::GroundFilter)
   {
-    sweep.flights[index] = FlightOf(evidence, interest.roundCorrelation[i], sweep, gate);
+    sweep.flights[index] = FlightOf(evidence, roundCorrelation, sweep, gate);
   }
 }
 
@@ -366,12 +319,29 @@ RowJudge::RowJudge(
 
 void RowJudge::Judge(std::size_t place)
 {
+  constexpr std::size_t gatesTogether = 64;
   reader.Read(place, evidence);
-  FindInterest(evidence, interest);
-  for (std::size_t i = 0; i < evidence.gates.size(); ++i)
+  const std::size_t gates = evidence.gates.size();
+  for (std::size_t first = 0; first < gates; first += gatesTogether)
   {
-    JudgeGate(
-      sweep, sweep.Index(place, evidence.gates[i]), evidence.gates[i], evidence.At(i), interest, i);
+    // Arrays of this function's own: no other array can be the same memory.
+    float ground[gatesTogether];
+    float notWeather[gatesTogether];
+    float roundCorrelation[gatesTogether];
+    const std::size_t count = std::min(gatesTogether, gates - first);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const GateEvidence gate = evidence.At(first + i);
+      notWeather[i] = Known(gate.correlation) * NotWeather(gate);
+      ground[i] = GroundOf(gate, notWeather[i]);
+      roundCorrelation[i] = RoundCorrelation(gate);
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const std::size_t gate = evidence.gates[first + i];
+      JudgeGate(sweep, sweep.Index(place, gate), gate, evidence.At(first + i), ground[i],
+        notWeather[i], roundCorrelation[i]);
+    }
   }
 }
 

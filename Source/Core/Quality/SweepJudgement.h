@@ -14,19 +14,6 @@
 namespace nexrad
 {
 
-/// What the evidence of each gate of a row speaks for.
-struct InterestRow
-{
-  std::vector<float> ground;     ///< 0…1: ground clutter and anomalous propagation
-  std::vector<float> notWeather; ///< 0…1: whatever is not weather, of two polarisations
-  /// The mean ρ_hv that targets with a Z_DR of 0 dB have at the same depolarisation ratio; 1 where
-  /// it is unknown.
-  std::vector<float> roundCorrelation;
-};
-
-/// Formulas Q1 and Q2. Everything that is known counts, with fixed weights.
-void FindInterest(const EvidenceRow& evidence, InterestRow& interest);
-
 /// Whether the evidence of a gate alone says that it is ground.
 struct GroundSign
 {
@@ -65,6 +52,9 @@ struct SweepJudgement
   /// `sources`: whether the gates are judged, by two polarisations or one, or take their classes of
   /// another sweep.
   void Set(const PolarSweep& sweep, const SweepSources& sources);
+
+  /// Whether ρ_hv and Z_DR are known of a sweep whose gates are judged.
+  bool IsPolarimetric() const { return !flights.empty(); }
 
   std::size_t Index(std::size_t place, std::size_t gate) const
   {
@@ -105,7 +95,6 @@ private:
   SweepJudgement& sweep;
   EvidenceReader reader;
   EvidenceRow evidence;
-  InterestRow interest;
 };
 
 } // namespace nexrad

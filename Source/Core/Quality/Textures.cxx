@@ -44,34 +44,15 @@ void SumWindows(std::size_t half, std::vector<GateSums>& prefix, RowSums& sums)
   }
 }
 
-// The sums of the velocities of one gate.
-struct VelocitySums
+void AddOneVelocity(float velocity, float width, GateSums& sums)
 {
-  float velocities = 0.0F;
-  float still = 0.0F;
-  float velocity = 0.0F;
-  float speed = 0.0F;
-  float width = 0.0F;
-
-  void Add(float ofVelocity, float ofWidth)
-  {
-    const float ofSpeed = std::abs(ofVelocity);
-    velocities += 1.0F;
-    still += Ramp(ofSpeed, MovingSpeed, stillSpeed);
-    velocity += ofVelocity;
-    speed += ofSpeed;
-    width += ofWidth;
-  }
-
-  void Set(GateSums& sums) const
-  {
-    At(sums, SumOf::Velocities) = velocities;
-    At(sums, SumOf::Still) = still;
-    At(sums, SumOf::Velocity) = velocity;
-    At(sums, SumOf::Speed) = speed;
-    At(sums, SumOf::Width) = width;
-  }
-};
+  const float speed = std::abs(velocity);
+  At(sums, SumOf::Velocities) += 1.0F;
+  At(sums, SumOf::Still) += Ramp(speed, MovingSpeed, stillSpeed);
+  At(sums, SumOf::Velocity) += velocity;
+  At(sums, SumOf::Speed) += speed;
+  At(sums, SumOf::Width) += width;
+}
 
 // Codes from `first` up to `last`; none where the first is the larger one.
 struct CodeRange
@@ -253,17 +234,17 @@ void RayTextures::AddVelocity(
   for (std::size_t at = 0; at < geometry.gates && i < gates; ++at)
   {
     const std::size_t end = behind(at);
-    VelocitySums own;
+    GateSums own = sums.own[at];
     for (; i < end; ++i)
     {
       if (codes[i] >= GateCode::FirstValue)
       {
         const bool hasWidth = widthCodes[i] >= GateCode::FirstValue;
-        own.Add(velocity.scale.ValueOf(codes[i]),
-          hasWidth ? std::max(widthScale.ValueOf(widthCodes[i]), 0.0F) : usualWidth);
+        AddOneVelocity(velocity.scale.ValueOf(codes[i]),
+          hasWidth ? std::max(widthScale.ValueOf(widthCodes[i]), 0.0F) : usualWidth, own);
       }
     }
-    own.Set(sums.own[at]);
+    sums.own[at] = own;
   }
 }
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Two radars of the SYNTHETIC storm day of which one is wrong: how wrong, and the seam between them
 // (Formulas Q6).
-#include "nexrad/Calibration/RadarComparison.h"
+#include "nexrad/Calibration/RadarBiases.h"
 
+#include "PolarMerge.h"
 #include "Tolerance.h"
 #include "nexrad/Grid/MakeGrid.h"
-#include "nexrad/Gridding/BeamMerge.h"
 #include "nexrad/Model/SiteTable.h"
+#include "nexrad/Series/ScanInputs.h"
 #include "nexrad/Simulation/RadarSimulator.h"
 #include "nexrad/System/Error.h"
 
@@ -122,7 +123,7 @@ double StepWith(
   options.ancillary = true;
   options.biases = biases;
   BeamMerger merger(MakeGrid(request, positions), options);
-  const auto merged = merger.Merge(volumes, evening + 30min);
+  const auto merged = MergePolar(merger, volumes, evening + 30min);
   EXPECT_EQ(merged->sites, (std::vector<std::string>{"KILX", "KLSX"}));
   return StepAtSeam(*merged);
 }
@@ -195,15 +196,24 @@ TEST(RadarComparison, NeedsNeighbours)
     Compare({&Scanned("KLSX", 2.0), &Scanned("KILX", 0.0)}).Lines());
 }
 
-TEST(LowEcho, ComesBackFromBytes)
+TEST(LowEcho, ComesBackFromAnotherProcess)
 {
-  const LowEcho echo(Scanned("KILX", 0.0).front());
-  ASSERT_FALSE(echo.IsEmpty());
-  const std::string bytes = echo.Pack();
-  const LowEcho back = LowEcho::Unpack(bytes);
-  EXPECT_EQ(back.Pack(), bytes);
-  EXPECT_EQ(back.MeanTime(), echo.MeanTime());
-  EXPECT_THROW(LowEcho::Unpack("no bytes of it"), Error);
+  SeriesVolume volume;
+  volume.lowEcho = std::make_shared<const LowEcho>(Scanned("KILX", 0.0).front());
+  ScannedFile file;
+  file.volumes.emplace_back(volume.lowEcho->site, volume);
+  const std::vector<ScannedFile> back = UnpackScannedFiles(PackScannedFiles({file}));
+  const LowEcho& echo = *volume.lowEcho;
+  const LowEcho& copy = *back.at(0).volumes.at(0).second.lowEcho;
+  EXPECT_FALSE(echo.cells.empty());
+  EXPECT_EQ(copy.cells, echo.cells);
+  EXPECT_EQ(copy.site.name, "KILX");
+  EXPECT_EQ(copy.site.position, echo.site.position);
+  EXPECT_EQ(copy.start, echo.start);
+  EXPECT_EQ(copy.time, echo.time);
+  EXPECT_EQ(copy.firstLayer, echo.firstLayer);
+  EXPECT_EQ(copy.layers, echo.layers);
+  EXPECT_THROW(UnpackScannedFiles("no bytes of it"), Error);
 }
 
 TEST(LowEcho, RefusesOtherMoments)

@@ -4,7 +4,7 @@
 #include "nexrad/Grid/MakeGrid.h"
 
 #include "nexrad/Geometry/SiteGeoreference.h"
-#include "nexrad/Grid/GridText.h"
+#include "nexrad/Grid/GridSpecification.h"
 #include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
@@ -241,4 +241,17 @@ TEST(GridSpecification, ProjectionIsEquidistantFromItsCentre)
     EXPECT_NEAR(back[0], place[0], 1e-10);
     EXPECT_NEAR(back[1], place[1], 1e-10);
   }
+}
+
+TEST(PlaceUnit, PlacesAreInTheUnitOfTheirVolume)
+{
+  EXPECT_EQ(PlaceUnitOf(GridAxes::Projected), PlaceUnit::Metres);
+  EXPECT_EQ(PlaceUnitOf(GridAxes::Geographic), PlaceUnit::Degrees);
+  for (const PlaceUnit unit : {PlaceUnit::Metres, PlaceUnit::Degrees})
+  {
+    EXPECT_NO_THROW(CheckPlaceUnit(PlaceUnit::OfVolume, unit, "it is"));
+    EXPECT_NO_THROW(CheckPlaceUnit(unit, unit, "it is"));
+  }
+  EXPECT_THROW(CheckPlaceUnit(PlaceUnit::Metres, PlaceUnit::Degrees, "it is"), Error);
+  EXPECT_THROW(CheckPlaceUnit(PlaceUnit::Degrees, PlaceUnit::Metres, "it is"), Error);
 }

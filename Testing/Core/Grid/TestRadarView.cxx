@@ -3,7 +3,7 @@
 
 #include "nexrad/Geometry/Beam.h"
 #include "nexrad/Geometry/SiteGeoreference.h"
-#include "nexrad/Grid/RadarView.h"
+#include "nexrad/Grid/SiteGeometry.h"
 
 #include <gtest/gtest.h>
 

@@ -25,7 +25,7 @@ double ErrorAt(const char* site)
   {
     return std::numeric_limits<double>::infinity();
   }
-  const double antenna = simulated.truth.site.position->altitude;
+  const double antenna = simulated.volume.site.position->altitude;
   Wind mean;
   for (int step = 0; step < 60; ++step)
   {
@@ -61,7 +61,7 @@ TEST(StormMotion, IsUnknownWhereTheProfileEndsLow)
     if (sweep.RangeOf(index % sweep.gates) > 100'000.0)
     {
       sweep.values[index] = std::numeric_limits<float>::quiet_NaN();
-      sweep.states[index] = VelocityState::NotSampled;
+      sweep.states[index] = GateState::NotSampled;
     }
   }
   EXPECT_FALSE(EstimateStormMotion(simulated.truth));

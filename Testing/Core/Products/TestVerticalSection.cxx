@@ -56,7 +56,7 @@ VerticalSection Between(VoxelState left, VoxelState right)
   volume.grid.spacing = {1'000.0, 1'000.0, 500.0};
   volume.values = {40.0F, -33.0F};
   volume.states = {left, right};
-  return Cut(volume, {{{0.0, 0.0}, {1'000.0, 0.0}}, {10, 1}, SectionInterpolation::Linear});
+  return Cut(volume, {{{0.0, 0.0}, {1'000.0, 0.0}}, {10, 1}});
 }
 
 } // namespace
@@ -105,14 +105,17 @@ TEST(VerticalSection, WhatWasNotScannedEndsHalfWay)
   }
 }
 
-TEST(VerticalSection, NearestTakesWholeVoxels)
+TEST(VerticalSection, VelocitiesAndPhasesAreThoseOfWholeVoxels)
 {
-  const VerticalSection section = Cut(
-    LinearVolume(), {{{-5'000.0, 0.5}, {5'000.0, 0.5}}, {20, 6}, SectionInterpolation::Nearest});
-  for (std::size_t i = 0; i < 20; ++i)
+  for (const MomentName moment : {MomentName::VEL, MomentName::PHI})
   {
-    EXPECT_FLOAT_EQ(
-      section.values[i], static_cast<float>(Plane(-4'500.0 + 1'000.0 * (i / 2), 500.0, 250.0)));
+    const VerticalSection section =
+      Cut(LinearVolume(), {{{-5'000.0, 0.5}, {5'000.0, 0.5}}, {20, 6}, moment});
+    for (std::size_t i = 0; i < 20; ++i)
+    {
+      EXPECT_FLOAT_EQ(
+        section.values[i], static_cast<float>(Plane(-4'500.0 + 1'000.0 * (i / 2), 500.0, 250.0)));
+    }
   }
 }
 
@@ -136,15 +139,8 @@ TEST(VerticalSection, ALineOfNoLengthIsAColumn)
 
 TEST(VerticalSection, OnGeographicAxesTheLengthIsThatOfTheGeodesic)
 {
-  GridSpecification grid;
-  grid.axes = GridAxes::Geographic;
+  GriddedVolume volume = LinearVolume();
+  volume.grid.axes = GridAxes::Geographic;
   // A degree of a meridian of WGS84 from 40° N on.
-  EXPECT_NEAR(LengthOf({{-90.0, 40.0}, {-90.0, 41.0}}, grid), 111'044.26, 0.1);
-}
-
-TEST(VerticalSection, VelocitiesAndPhasesAreNotAveraged)
-{
-  EXPECT_EQ(UsualInterpolation(MomentName::VEL), SectionInterpolation::Nearest);
-  EXPECT_EQ(UsualInterpolation(MomentName::PHI), SectionInterpolation::Nearest);
-  EXPECT_EQ(UsualInterpolation(MomentName::REF), SectionInterpolation::Linear);
+  EXPECT_NEAR(Cut(volume, {{{-90.0, 40.0}, {-90.0, 41.0}}}).length, 111'044.26, 0.1);
 }

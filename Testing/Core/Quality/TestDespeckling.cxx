@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Formulas Q3, Q5: which gates despeckling takes out of hand-made sweeps and of a real file.
+#include "PolarMerge.h"
 #include "SweepMaker.h"
 #include "TestData.h"
 #include "Tolerance.h"
-#include "nexrad/Gridding/BeamMerge.h"
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Quality/Despeckling.h"
 #include "nexrad/System/Error.h"
@@ -40,6 +40,25 @@ std::size_t Count(const PolarSweep& sweep, GateState state)
   return static_cast<std::size_t>(std::count(states.begin(), states.end(), state));
 }
 
+// Despeckles a volume, and counts the gates that were taken out of each sweep.
+Counts Despeckled(PolarVolume& volume, int neighbours)
+{
+  Despeckle(volume, neighbours);
+  Counts removed;
+  for (const PolarSweep& sweep : volume.sweeps)
+  {
+    std::vector<std::uint16_t> codes(sweep.gates);
+    std::size_t count = 0;
+    for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
+    {
+      sweep.Read(ray, codes.data());
+      count += static_cast<std::size_t>(std::count(codes.begin(), codes.end(), GateCode::Filtered));
+    }
+    removed.push_back(count);
+  }
+  return removed;
+}
+
 } // namespace
 
 TEST(Despeckling, TakesOutAGateAlone)
@@ -47,7 +66,7 @@ TEST(Despeckling, TakesOutAGateAlone)
   std::vector<NumberSweep> sweeps = ThreeTilts();
   SetGate(sweeps[1], 40, 50, 30.0F);
   PolarVolume volume = VolumeOf(sweeps);
-  EXPECT_EQ(Despeckle(volume, 1), (Counts{0, 1, 0}));
+  EXPECT_EQ(Despeckled(volume, 1), (Counts{0, 1, 0}));
   const NumberSweep clean = NumbersOf(volume.sweeps[1]);
   EXPECT_EQ(clean.states[clean.Index(40, 50)], GateState::NotSampled);
   EXPECT_EQ(Count(volume.sweeps[1], GateState::BelowThreshold), 35'999u);
@@ -70,7 +89,7 @@ TEST(Despeckling, CountsRaysGatesAndTilts)
     SetGate(sweeps[1], 40, 50, 30.0F);
     SetGate(sweeps[other.sweep], other.ray, other.gate, 30.0F);
     PolarVolume volume = VolumeOf(sweeps);
-    const Counts removed = Despeckle(volume, 1);
+    const Counts removed = Despeckled(volume, 1);
     EXPECT_EQ(
       std::accumulate(removed.begin(), removed.end(), std::size_t(0)), other.counts ? 0u : 2u)
       << other.sweep << ' ' << other.ray << ' ' << other.gate;
@@ -84,7 +103,7 @@ TEST(Despeckling, LooksAtTheNextTiltAlone)
   SetGate(sweeps[0], 40, 50, 30.0F);
   SetGate(sweeps[2], 40, 50, 30.0F);
   PolarVolume volume = VolumeOf(sweeps);
-  EXPECT_EQ(Despeckle(volume, 1), (Counts{1, 0, 1}));
+  EXPECT_EQ(Despeckled(volume, 1), (Counts{1, 0, 1}));
 }
 
 TEST(Despeckling, GoesRoundTheCircleAndNotAcrossGaps)
@@ -93,7 +112,7 @@ TEST(Despeckling, GoesRoundTheCircleAndNotAcrossGaps)
   SetGate(sweeps[0], 0, 50, 30.0F);
   SetGate(sweeps[0], 359, 50, 30.0F);
   PolarVolume volume = VolumeOf(sweeps);
-  EXPECT_EQ(Despeckle(volume, 1), (Counts{0, 0, 0}));
+  EXPECT_EQ(Despeckled(volume, 1), (Counts{0, 0, 0}));
   NumberSweep torn = MakeSweep(1, 0.5, 360, 100);
   SetGate(torn, 100, 50, 30.0F);
   SetGate(torn, 103, 50, 30.0F);
@@ -103,7 +122,7 @@ TEST(Despeckling, GoesRoundTheCircleAndNotAcrossGaps)
   torn.values.erase(torn.values.begin() + from, torn.values.begin() + to);
   torn.states.erase(torn.states.begin() + from, torn.states.begin() + to);
   volume = VolumeOf({torn});
-  EXPECT_EQ(Despeckle(volume, 1), Counts{2});
+  EXPECT_EQ(Despeckled(volume, 1), Counts{2});
 }
 
 // 3 × 3 gates in one sweep: the corners have 3 neighbours, the edges 5, the middle 8. What goes is
@@ -122,7 +141,7 @@ TEST(Despeckling, JudgesAllGatesByTheVolumeAsItWas)
     {std::pair(0, 0u), std::pair(3, 0u), std::pair(4, 4u), std::pair(6, 8u), std::pair(9, 9u)})
   {
     PolarVolume volume = VolumeOf(sweeps);
-    EXPECT_EQ(Despeckle(volume, neighbours)[1], removed) << neighbours;
+    EXPECT_EQ(Despeckled(volume, neighbours)[1], removed) << neighbours;
   }
 }
 
@@ -140,7 +159,7 @@ TEST(Despeckling, FindsTheNeighboursOfOtherResolutionsAndRepeatedCuts)
       std::vector<NumberSweep>{again, fine, coarse}})
   {
     PolarVolume volume = VolumeOf(sweeps);
-    const Counts removed = Despeckle(volume, 1);
+    const Counts removed = Despeckled(volume, 1);
     EXPECT_EQ(std::accumulate(removed.begin(), removed.end(), std::size_t(0)), 0u);
   }
 }
@@ -150,7 +169,7 @@ TEST(Despeckling, RefusesNumbersThatNoGateHas)
   PolarVolume volume = VolumeOf(ThreeTilts());
   EXPECT_THROW(Despeckle(volume, -1), Error);
   EXPECT_THROW(Despeckle(volume, 27), Error);
-  EXPECT_EQ(Despeckle(volume, 26), (Counts{0, 0, 0}));
+  EXPECT_EQ(Despeckled(volume, 26), (Counts{0, 0, 0}));
 }
 
 TEST(Despeckling, TakesSweepsWithoutRaysOrGatesAsTheyAre)
@@ -158,7 +177,7 @@ TEST(Despeckling, TakesSweepsWithoutRaysOrGatesAsTheyAre)
   NumberSweep one = MakeSweep(1, 0.5, 1, 10);
   SetGate(one, 0, 5, 20.0F);
   PolarVolume volume = VolumeOf({NumberSweep{}, one, MakeSweep(2, 1.5, 2, 0)});
-  EXPECT_EQ(Despeckle(volume, 1), (Counts{0, 1, 0}));
+  EXPECT_EQ(Despeckled(volume, 1), (Counts{0, 1, 0}));
 }
 
 // What is taken out is no statement that there is nothing: echo of another radar keeps its value.
@@ -190,9 +209,10 @@ TEST(Despeckling, LeavesThePlaceToAnotherRadar)
   grid.origin = {30'000.0, -20'000.0, 500.0};
   grid.centreLatitude = position.latitude;
   grid.centreLongitude = position.longitude;
-  const auto alone = BeamMerger(grid).Merge({&full}, full.start);
-  const auto cleaned = BeamMerger(grid).Merge({&full, &clean}, full.start);
-  const auto spoilt = BeamMerger(grid).Merge({&full, &speckled}, full.start);
+  BeamMerger merger(grid);
+  const auto alone = MergePolar(merger, {&full}, full.start);
+  const auto cleaned = MergePolar(merger, {&full, &clean}, full.start);
+  const auto spoilt = MergePolar(merger, {&full, &speckled}, full.start);
   EXPECT_EQ(cleaned->values, alone->values);
   EXPECT_NE(spoilt->values, alone->values);
 }
@@ -210,7 +230,7 @@ TEST(Despeckling, OfRealFilesTakesLittleOfStormsAndMuchOfSpeckle)
     {
       echo.push_back(Count(sweep, GateState::Valid));
     }
-    const Counts removed = Despeckle(volume, neighbours);
+    const Counts removed = Despeckled(volume, neighbours);
     std::printf("%s, fewer than %d neighbours\n", file, neighbours);
     for (std::size_t i = 0; i < removed.size(); ++i)
     {

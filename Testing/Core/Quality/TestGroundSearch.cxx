@@ -33,7 +33,7 @@ std::vector<SweepJudgement> FindGroundIn(const MeasuredMoments& moments, const J
   {
     sweeps[i].above = i + 1 < sweeps.size() ? sweeps[i + 1].grid.get() : nullptr;
     judge(sweeps[i], sources[i]);
-    FindGround(sweeps[i], false);
+    FindGround(sweeps[i]);
   }
   return sweeps;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Grid/VolumeMoments.h"
+#include "nexrad/Grid/GriddedVolume.h"
 
 #include <algorithm>
 #include <array>
@@ -67,18 +67,7 @@ void SetSites(GriddedVolume& volume, const RadarList& radars)
 GriddedVolume WithoutVoxels(const GriddedVolume& volume)
 {
   GriddedVolume description;
-  description.grid = volume.grid;
-  description.time = volume.time;
-  description.moment = volume.moment;
-  description.method = volume.method;
-  description.sites = volume.sites;
-  description.sitePositions = volume.sitePositions;
-  description.ofOneRadar = volume.ofOneRadar;
-  description.synthetic = volume.synthetic;
-  description.sharpened = volume.sharpened;
-  description.biologicalShare = volume.biologicalShare;
-  description.notes = volume.notes;
-  description.fill = volume.fill;
+  static_cast<GriddedVolumeDescription&>(description) = volume;
   return description;
 }
 
