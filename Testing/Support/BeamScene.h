@@ -2,9 +2,9 @@
 // Hand-made volumes and a small grid about one radar, for tests of the merge by beams.
 #pragma once
 
+#include "PolarMerge.h"
 #include "SweepMaker.h"
 #include "nexrad/Geometry/SiteGeoreference.h"
-#include "nexrad/Gridding/BeamMerge.h"
 
 #include <cmath>
 #include <functional>
@@ -66,7 +66,7 @@ inline GriddedVolume MergeAt(const std::vector<PolarVolume>& volumes, double sec
     pointers.push_back(&volume);
   }
   BeamMerger merger(grid, options);
-  return *merger.Merge(pointers, sceneTime + Duration(std::llround(seconds * 1000.0)));
+  return *MergePolar(merger, pointers, sceneTime + Duration(std::llround(seconds * 1000.0)));
 }
 
 /// The gates' own values at the tilts (no Formulas G9) and straight lines between them (no G11 and

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "nexrad/Compression/BigEndian.h"
+#include "nexrad/Compression/DamageList.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -20,6 +21,12 @@ using Bytes = std::vector<std::uint8_t>;
 inline ByteView View(const Bytes& bytes)
 {
   return {bytes.data(), bytes.size()};
+}
+
+/// A receiver that keeps all in a list, which must outlive it.
+inline DamageReceiver KeepIn(std::vector<Damage>& list)
+{
+  return [&list](std::size_t offset, const std::string& what) { list.push_back({offset, what}); };
 }
 
 Bytes Join(const std::vector<Bytes>& parts);

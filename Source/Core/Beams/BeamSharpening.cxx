@@ -15,6 +15,10 @@ namespace nexrad
 namespace
 {
 
+// How far a value can change, dB.
+constexpr float mostDown = 12.0F;
+constexpr float mostUp = 3.0F;
+
 // Beyond, the pattern is no Gaussian any more: an echo is not taken to come from farther off the
 // beam's middle than two standard deviations.
 constexpr float steepestRise = 2.0F;
@@ -59,33 +63,6 @@ struct BeamSide
   float slope = 0.0F;
 };
 
-// Slopes towards a tilt beside, in e-folds of Z a standard deviation of the two-way pattern, which
-// is 0.285 of a beam width of 0.95°. Differences over less than that are noise more than slope.
-// Towards a tilt without echo the echo ends half a beam width before it, but not before the middle
-// (Formulas G8).
-class SlopeScale
-{
-public:
-  SlopeScale() = default;
-  SlopeScale(float gap, float beamWidth)
-    : perDecibel(naturalPerDecibel * std::min(perBeamWidth * beamWidth / gap, 1.0F))
-    , perDecibelToNone(perDecibel / std::max(0.5F, 1.0F - 0.5F * beamWidth / gap))
-  {
-  }
-
-  BeamSide TowardsEcho(float value, float neighbour) const
-  {
-    return {true, perDecibel * (neighbour - value)};
-  }
-  BeamSide TowardsNone(float value) const { return {true, -perDecibelToNone * value}; }
-
-private:
-  static constexpr float perBeamWidth = 0.30028060F;      // 1/√(16 ln 2)
-  static constexpr float naturalPerDecibel = 0.23025851F; // ln(10)/10
-  float perDecibel = 0.0F;
-  float perDecibelToNone = 0.0F;
-};
-
 float SharpenBetween(float value, const BeamSide& below, const BeamSide& above)
 {
   if (below.slope == 0.0F && above.slope == 0.0F)
@@ -94,7 +71,7 @@ float SharpenBetween(float value, const BeamSide& below, const BeamSide& above)
   }
   // What the beam's other half holds must be known before an echo is said not to fill the beam; and
   // an echo between two weaker ones is taken to fill half the beam, not less: it may be clutter.
-  const float gain = below.measured && above.measured ? SharpeningRange::Up : 0.0F;
+  const float gain = below.measured && above.measured ? mostUp : 0.0F;
   constexpr float decibelsPerDoubling = 3.01029996F;
   const float excess =
     decibelsPerDoubling * std::log2(sideTable.At(below.slope) + sideTable.At(above.slope));
@@ -130,7 +107,10 @@ const BeamSweep* FindBeside(
   return found;
 }
 
-// What a sweep beside has at the places of another's gates.
+// What a sweep beside has at the places of another's gates: slopes towards it, in e-folds of Z a
+// standard deviation of the two-way pattern, which is 0.285 of a beam width of 0.95°. Differences
+// over less than that are noise more than slope. Towards a tilt without echo the echo ends half a
+// beam width before it, but not before the middle (Formulas G8).
 class NeighbourSweep
 {
 public:
@@ -140,7 +120,9 @@ public:
   {
     if (sweep != nullptr)
     {
-      scale = SlopeScale(std::abs(sweep->elevation - of.elevation), beamWidth);
+      const float gap = std::abs(sweep->elevation - of.elevation);
+      perDecibel = naturalPerDecibel * std::min(perBeamWidth * beamWidth / gap, 1.0F);
+      perDecibelToNone = perDecibel / std::max(0.5F, 1.0F - 0.5F * beamWidth / gap);
       gates = GatesOver(*sweep, of, beam);
     }
   }
@@ -163,23 +145,19 @@ public:
     const std::uint16_t code = codes[gates[gate]];
     if (code >= GateCode::FirstValue)
     {
-      return scale.TowardsEcho(value, sweep->scale.ValueOf(code));
+      return {true, perDecibel * (sweep->scale.ValueOf(code) - value)};
     }
-    return code == GateCode::NoEcho ? scale.TowardsNone(value) : BeamSide{};
+    return code == GateCode::NoEcho ? BeamSide{true, -perDecibelToNone * value} : BeamSide{};
   }
 
 private:
+  static constexpr float perBeamWidth = 0.30028060F;      // 1/√(16 ln 2)
+  static constexpr float naturalPerDecibel = 0.23025851F; // ln(10)/10
   const BeamSweep* sweep;
-  SlopeScale scale;
+  float perDecibel = 0.0F;
+  float perDecibelToNone = 0.0F;
   std::vector<int> gates;               // by gate of the other sweep
   const std::uint16_t* codes = nullptr; // of the ray that it is turned to; nullptr without one
-};
-
-// The gates of a sweep after the deconvolution.
-struct SharpenedGates
-{
-  GateScale scale;
-  std::shared_ptr<const std::uint16_t[]> codes; // none: the sweep stays as it is
 };
 
 // Deconvolves the echo of a sweep above 0 dBZ. The values are rounded here: to a scale of their
@@ -195,16 +173,16 @@ public:
   {
   }
 
-  SharpenedGates Sharpen()
+  BeamSweep Sharpen()
   {
+    BeamSweep sharpened = sweep;
     const CodeRange values = FindValueCodes(sweep);
     if (values.IsEmpty() || !(below.IsThere() || above.IsThere()))
     {
-      return {};
+      return sharpened;
     }
-    SharpenedGates sharpened;
-    sharpened.scale = GateScale::Between(sweep.scale.ValueOf(values.least) - SharpeningRange::Down,
-      sweep.scale.ValueOf(values.most) + SharpeningRange::Up);
+    sharpened.scale = GateScale::Between(
+      sweep.scale.ValueOf(values.least) - mostDown, sweep.scale.ValueOf(values.most) + mostUp);
     const std::shared_ptr<std::uint16_t[]> codes(new std::uint16_t[sweep.CodeCount()]());
     for (std::size_t entry = 0; entry < sweep.azimuths.size(); ++entry)
     {
@@ -250,37 +228,15 @@ private:
 
 } // namespace
 
-float SharpenValue(
-  float value, const NeighbourEcho& below, const NeighbourEcho& above, float beamWidth)
-{
-  const auto sideTowards = [value, beamWidth](const NeighbourEcho& neighbour)
-  {
-    if (!neighbour.measured)
-    {
-      return BeamSide{};
-    }
-    const SlopeScale scale(neighbour.gap, beamWidth);
-    return neighbour.value ? scale.TowardsEcho(value, *neighbour.value) : scale.TowardsNone(value);
-  };
-  return SharpenBetween(value, sideTowards(below), sideTowards(above));
-}
-
 void SharpenSweeps(std::vector<BeamSweep>& sweeps, double beamWidth, const BeamModel& beam)
 {
-  std::vector<SharpenedGates> sharpened;
+  std::vector<BeamSweep> sharpened;
   for (const BeamSweep& sweep : sweeps)
   {
     sharpened.push_back(
       SweepSharpener(sweep, sweeps, static_cast<float>(beamWidth), beam).Sharpen());
   }
-  for (std::size_t i = 0; i < sweeps.size(); ++i)
-  {
-    if (sharpened[i].codes)
-    {
-      sweeps[i].scale = sharpened[i].scale;
-      sweeps[i].codes = std::move(sharpened[i].codes);
-    }
-  }
+  sweeps = std::move(sharpened);
 }
 
 } // namespace nexrad

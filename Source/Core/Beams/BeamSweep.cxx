@@ -9,12 +9,7 @@ namespace nexrad
 
 int NearestEntry(const BeamSweep& sweep, float azimuth)
 {
-  std::size_t entry =
-    sweep.firstEntries[static_cast<std::size_t>(azimuth * BeamSweep::BinsPerDegree)];
-  while (sweep.azimuths[entry + 1] <= azimuth)
-  {
-    ++entry;
-  }
+  const std::size_t entry = sweep.EntryBefore(azimuth);
   const float from = azimuth - sweep.azimuths[entry];
   const float to = sweep.azimuths[entry + 1] - azimuth;
   if (sweep.inverseGaps[entry] <= 0.0F && from > sweep.halfWidth && to > sweep.halfWidth)

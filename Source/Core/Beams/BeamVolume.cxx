@@ -5,6 +5,7 @@
 #include "nexrad/Model/Elevation.h"
 #include "nexrad/Model/SiteTable.h"
 #include "nexrad/Polar/SweepPairing.h"
+#include "nexrad/System/Error.h"
 
 #include <algorithm>
 #include <cmath>
@@ -140,7 +141,6 @@ BeamSweep PrepareSweep(
   sweep.firstGate = static_cast<float>(source.firstGate);
   sweep.gatesPerMetre = static_cast<float>(1.0 / source.gateSpacing);
   sweep.gates = static_cast<int>(source.gates);
-  sweep.elevationNumber = source.elevationNumber;
   const auto earlier = [&source](std::size_t a, std::size_t b)
   { return source.rays[a].time < source.rays[b].time; };
   const auto times = std::minmax_element(rays.begin(), rays.end(), earlier);
@@ -153,10 +153,36 @@ BeamSweep PrepareSweep(
   return sweep;
 }
 
-// Slant range at which the last gate ends, m.
-double ReachOf(const PolarSweep& sweep)
+constexpr float notScanned = -1.0F;
+constexpr int longestRun = 1 << 23; // a float still counts in ones
+
+float ValueOf(const VolumeComposite& composite, std::size_t cell)
 {
-  return sweep.firstGate + (static_cast<double>(sweep.gates) - 0.5) * sweep.gateSpacing;
+  return composite.cells[cell] == VolumeComposite::Cell::NotScanned ? notScanned
+                                                                    : composite.values[cell];
+}
+
+PackedComposite Pack(const VolumeComposite& composite)
+{
+  PackedComposite packed{composite.rings, composite.echoTime, composite.echo, composite.tilts, {}};
+  const std::size_t count = composite.cells.size();
+  for (std::size_t cell = 0; cell < count;)
+  {
+    const float value = ValueOf(composite, cell);
+    int run = 1;
+    while (run < longestRun && cell + static_cast<std::size_t>(run) < count &&
+           ValueOf(composite, cell + static_cast<std::size_t>(run)) == value)
+    {
+      ++run;
+    }
+    if (run > 1)
+    {
+      packed.picture.push_back(-static_cast<float>(run));
+    }
+    packed.picture.push_back(value);
+    cell += static_cast<std::size_t>(run);
+  }
+  return packed;
 }
 
 } // namespace
@@ -189,8 +215,9 @@ BeamVolume PrepareBeamVolume(const PolarVolume& volume, std::optional<double> be
   for (std::size_t i = 0; i < volume.sweeps.size(); ++i)
   {
     const PolarSweep& sweep = volume.sweeps[i];
-    if (sweep.rays.empty() || sweep.gates == 0 || !(sweep.gateSpacing > 0.0) ||
-        !(ReachOf(sweep) > 0.0))
+    const double end =
+      sweep.firstGate + (static_cast<double>(sweep.gates) - 0.5) * sweep.gateSpacing; // m
+    if (sweep.rays.empty() || sweep.gates == 0 || !(sweep.gateSpacing > 0.0) || !(end > 0.0))
     {
       continue;
     }
@@ -209,6 +236,86 @@ BeamVolume PrepareBeamVolume(const PolarVolume& volume, std::optional<double> be
     prepared.lowest = MakeLowestComposite(prepared.sweeps);
   }
   return prepared;
+}
+
+std::size_t VolumeSummary::MemoryBytes() const
+{
+  std::size_t bytes = sizeof(*this);
+  for (const PackedComposite* packed : {&composite, &lowest})
+  {
+    bytes +=
+      packed->picture.size() * sizeof(float) + packed->tilts.size() * sizeof(VolumeComposite::Tilt);
+  }
+  return bytes;
+}
+
+VolumeSummary MakeSummary(const BeamVolume& volume)
+{
+  VolumeSummary summary;
+  if (volume.moment == MomentName::REF)
+  {
+    summary.composite = Pack(volume.composite);
+    summary.lowest = Pack(volume.lowest);
+  }
+  for (const BeamSweep& sweep : volume.sweeps)
+  {
+    summary.reach = std::max(summary.reach, static_cast<double>(sweep.Reach()));
+  }
+  return summary;
+}
+
+VolumeSummary MakeSummary(const PolarVolume& volume)
+{
+  VolumeSummary summary;
+  if (volume.moment == MomentName::REF)
+  {
+    summary = MakeSummary(PrepareBeamVolume(volume));
+  }
+  for (const PolarSweep& sweep : volume.sweeps)
+  {
+    summary.reach = std::max(
+      summary.reach, sweep.firstGate + static_cast<double>(sweep.gates) * sweep.gateSpacing);
+  }
+  return summary;
+}
+
+VolumeComposite CompositeOf(const PackedComposite& packed)
+{
+  VolumeComposite composite;
+  composite.rings = packed.rings;
+  composite.echoTime = packed.echoTime;
+  composite.echo = packed.echo;
+  composite.tilts = packed.tilts;
+  const std::size_t size = composite.Index(VolumeComposite::Sectors, 0);
+  composite.cells.assign(size, VolumeComposite::Cell::NotScanned);
+  composite.tops.assign(size, 0);
+  composite.values.assign(size, 0.0F);
+  std::size_t next = 0;  // cell
+  std::size_t count = 1; // of cells that the next value stands for
+  for (const float word : packed.picture)
+  {
+    if (word <= -2.0F)
+    {
+      count = static_cast<std::size_t>(-word);
+      continue;
+    }
+    if (count > size - next)
+    {
+      throw Error("the picture of a volume has more cells than its rings");
+    }
+    const auto cell = word < 0.0F   ? VolumeComposite::Cell::NotScanned
+                      : word > 0.0F ? VolumeComposite::Cell::Held
+                                    : VolumeComposite::Cell::NoEcho;
+    std::fill_n(&composite.cells[next], count, cell);
+    std::fill_n(&composite.values[next], count, std::max(0.0F, word));
+    next += count;
+    count = 1;
+  }
+  if (next != size)
+  {
+    throw Error("the picture of a volume has fewer cells than its rings");
+  }
+  return composite;
 }
 
 } // namespace nexrad

@@ -4,7 +4,6 @@
 #include "nexrad/Beams/BeamSweep.h"
 #include "nexrad/Beams/TiltEdges.h"
 #include "nexrad/Beams/TiltMeans.h"
-#include "nexrad/Geometry/Angles.h"
 #include "nexrad/Model/Elevation.h"
 
 #include <algorithm>
@@ -21,7 +20,7 @@ constexpr std::size_t rings = EchoLayers::Rings;
 constexpr std::size_t ringsOfMeans = TiltMeans::Rings / rings;
 constexpr double ringWidth = static_cast<double>(ringsOfMeans) * TiltMeans::RingWidth; // m
 constexpr std::size_t ringsPerShare = rings / LayerShares::Rings;
-constexpr std::size_t knots = std::tuple_size_v<decltype(EchoLayers::Changes::atKnots)>;
+constexpr std::size_t knots = 3;               // quarters of the way between two tilts
 constexpr std::size_t codesOfCell = knots + 1; // of the changes, and of the most
 
 // One sweep of each tilt, the one with the most gates, ascending.
@@ -193,50 +192,25 @@ private:
   std::array<bool, rings> placed{};
 };
 
-std::vector<TiltEdges> EdgesOf(const std::vector<TiltMeans>& tilts, double beamWidth)
+// Marks of cells, by sector and ring, together with those as far as echo moves in some minutes.
+std::vector<std::uint32_t> Widen(const std::vector<std::uint32_t>& marks)
 {
-  std::vector<TiltAngle> angles(tilts.size());
-  for (std::size_t i = 0; i < tilts.size(); ++i)
-  {
-    angles[i].elevation = tilts[i].Elevation();
-    angles[i].tangent =
-      static_cast<float>(std::tan(static_cast<double>(tilts[i].Elevation()) * RadiansPerDegree));
-  }
-  return FindEdges(angles, beamWidth);
-}
-
-// Marks of cells, by sector and ring, together with those as many rings to either side.
-std::vector<std::uint32_t> WidenRings(const std::vector<std::uint32_t>& marks)
-{
-  constexpr std::size_t beside = 3;
+  constexpr std::size_t beside = 3; // sectors and rings, to either side
   std::vector<std::uint32_t> widened(marks.size());
-  for (std::size_t first = 0; first < marks.size(); first += rings)
+  for (std::size_t cell = 0; cell < marks.size(); ++cell)
   {
-    for (std::size_t ring = 0; ring < rings; ++ring)
+    if (marks[cell] == 0)
     {
-      const std::size_t end = std::min(ring + beside + 1, rings);
-      for (std::size_t each = std::max(ring, beside) - beside; each < end; ++each)
-      {
-        widened[first + ring] |= marks[first + each];
-      }
+      continue;
     }
-  }
-  return widened;
-}
-
-// The same for sectors.
-std::vector<std::uint32_t> WidenSectors(const std::vector<std::uint32_t>& marks)
-{
-  constexpr std::size_t beside = 3;
-  std::vector<std::uint32_t> widened(marks.size());
-  for (std::size_t first = 0; first < marks.size(); first += rings)
-  {
+    const std::size_t ring = cell % rings;
+    const std::size_t end = std::min(ring + beside + 1, rings);
     for (std::size_t turn = sectors - beside; turn <= sectors + beside; ++turn)
     {
-      const std::size_t from = (first / rings + turn) % sectors * rings;
-      for (std::size_t ring = 0; ring < rings; ++ring)
+      const std::size_t row = (cell / rings + turn) % sectors * rings;
+      for (std::size_t each = std::max(ring, beside) - beside; each < end; ++each)
       {
-        widened[first + ring] |= marks[from + ring];
+        widened[row + each] |= marks[cell];
       }
     }
   }
@@ -251,11 +225,13 @@ EchoLayers::EchoLayers(
 {
   constexpr float least = 0.15F; // smaller shares are noise: echo without any order has 0.12
   std::vector<TiltMeans> tilts;
+  std::vector<float> elevations;
   for (const BeamSweep* sweep : OneOfEachTilt(sweeps))
   {
     tilts.emplace_back(*sweep, beam);
+    elevations.push_back(sweep->elevation);
   }
-  const std::vector<TiltEdges> edges = EdgesOf(tilts, beamWidth);
+  const std::vector<TiltEdges> edges = FindEdges(elevations, beamWidth);
   const LayerShares shares(tilts, beam);
   std::vector<std::uint32_t> changed; // bits of gaps, by cell
   for (std::size_t i = 0; i + 1 < tilts.size() && i < MostGaps; ++i)
@@ -286,8 +262,7 @@ EchoLayers::EchoLayers(
     }
     gaps.push_back(std::move(gap));
   }
-  // As far as echo moves in some minutes.
-  marks = WidenSectors(WidenRings(changed));
+  marks = Widen(changed);
 }
 
 int EchoLayers::FindGap(float lower, float upper) const
@@ -324,7 +299,8 @@ void EchoLayers::Add(int gap, const Place& place, float weight, Changes& to) con
       const auto near = static_cast<float>(ray[knot]);
       return near + place.along * (static_cast<float>(ray[codesOfCell + knot]) - near);
     };
-    to.atKnots[knot] += Precision * weight * (on(first) + place.across * (on(second) - on(first)));
+    to.atQuarters[knot + 1] +=
+      Precision * weight * (on(first) + place.across * (on(second) - on(first)));
   }
   for (const std::int8_t* ray : {first, second})
   {

@@ -26,13 +26,23 @@ public:
   /// What is changed in one gap over a column.
   struct Changes
   {
-    /// dB, to be added to what the interpolation in elevation gives (Formulas G11) at a quarter,
-    /// half and three quarters of the way from a tilt to the next; nothing is added at the tilts.
-    std::array<float, 3> atKnots{};
+    /// dB, to be added to what the interpolation in elevation gives (Formulas G11) at each quarter
+    /// of the way from a tilt to the next; nothing is added at the tilts.
+    std::array<float, 5> atQuarters{};
     /// dBZ; what is added raises no echo above it: the strongest V nearby, and 1 dB.
     float most = 0.0F;
 
-    bool Any() const { return atKnots != std::array<float, 3>{}; }
+    bool Any() const { return atQuarters != std::array<float, 5>{}; }
+    /// What `value`, dBZ, becomes `share` of the way, 0…1, from the lower tilt to the upper one.
+    float Apply(float value, float share) const
+    {
+      const float place = 4.0F * share;
+      const auto before = std::min(static_cast<std::size_t>(place), std::size_t(3));
+      const float changed =
+        value + atQuarters[before] +
+        (place - static_cast<float>(before)) * (atQuarters[before + 1] - atQuarters[before]);
+      return changed > value ? std::max(value, std::min(changed, most)) : changed;
+    }
   };
   /// Volumes have fewer gaps between tilts; what lies above is not changed.
   static constexpr std::size_t MostGaps = 32;
@@ -44,32 +54,6 @@ public:
   /// there is no weather (Formulas G4).
   EchoLayers(
     const std::vector<BeamSweep>& sweeps, double beamWidth, const BeamModel& beam, double ceiling);
-
-  /// The changes between two tilts.
-  class Curve
-  {
-  public:
-    explicit Curve(const Changes& changes)
-      : values{0.0F, changes.atKnots[0], changes.atKnots[1], changes.atKnots[2], 0.0F}
-      , most(changes.most)
-    {
-    }
-
-    /// What `value`, dBZ, becomes `share` of the way, 0…1, from the lower tilt to the upper one.
-    float Change(float value, float share) const
-    {
-      const float place = 4.0F * share;
-      const auto before = std::min(static_cast<std::size_t>(place), std::size_t(3));
-      const float changed =
-        value + values[before] +
-        (place - static_cast<float>(before)) * (values[before + 1] - values[before]);
-      return changed > value ? std::max(value, std::min(changed, most)) : changed;
-    }
-
-  private:
-    std::array<float, 5> values;
-    float most;
-  };
 
   /// The number of the gap between two neighbouring tilts, degrees; −1 when the volume has none.
   int FindGap(float lower, float upper) const;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Beams/SweepMeans.h"
 
-#include "nexrad/Beams/BeamSweep.h"
 #include "nexrad/Geometry/Angles.h"
 #include "nexrad/Model/Elevation.h"
 
@@ -77,6 +76,7 @@ public:
         break;
       }
     }
+    means.cells.resize(cells);
     means.spread = static_cast<float>(1.5 * std::hypot(width, widestArc)); // from cell to cell
   }
 
@@ -107,13 +107,8 @@ private:
 };
 
 // Parts of a cell by what its gates hold.
-struct Tally
+struct Tally : StateWeights
 {
-  float echo = 0.0F;
-  float none = 0.0F;
-  float folded = 0.0F;
-  float filtered = 0.0F;
-  float missing = 0.0F;
   float sum = 0.0F;  // over the echo: of codes, of Z, or of angles' cosines
   float sine = 0.0F; // over the echo, of angles
 
@@ -129,19 +124,9 @@ struct Tally
   }
 
   float Unmeasured() const { return folded + missing + filtered; }
-
-  // Of a cell of which nothing was measured.
-  std::uint16_t CodeOfNothing() const
-  {
-    if (filtered > folded)
-    {
-      return filtered >= missing ? GateCode::Filtered : GateCode::NotSampled;
-    }
-    return folded >= missing ? GateCode::RangeFolded : GateCode::NotSampled;
-  }
 };
 
-const Tally noEcho = {0.0F, 1.0F};
+const Tally noEcho = {{0.0F, 1.0F}};
 
 // Less of a cell is none of it: what rounding leaves.
 constexpr float smallestPart = 1e-6F;
@@ -158,23 +143,25 @@ public:
 
   void Add(std::uint16_t code, float weight, Tally& to) const
   {
-    switch (code)
+    if (code < GateCode::FirstValue)
     {
-    case GateCode::NoEcho:
-      to.none += weight;
+      to.AddNothing(code, weight);
       return;
-    case GateCode::RangeFolded:
-      to.folded += weight;
-      return;
-    case GateCode::Filtered:
-      to.filtered += weight;
-      return;
-    case GateCode::NotSampled:
-      to.missing += weight;
-      return;
-    default:
-      to.echo += weight;
-      this->AddValue(code, weight, to);
+    }
+    to.echo += weight;
+    if (rule.period > 0.0F)
+    {
+      const float angle = sweep.scale.ValueOf(code) * static_cast<float>(turn) / rule.period;
+      to.sum += weight * std::cos(angle);
+      to.sine += weight * std::sin(angle);
+    }
+    else if (rule.linear)
+    {
+      to.sum += weight * std::pow(10.0F, 0.1F * sweep.scale.ValueOf(code));
+    }
+    else
+    {
+      to.sum += weight * static_cast<float>(code - 1); // its number
     }
   }
 
@@ -208,24 +195,6 @@ public:
   }
 
 private:
-  void AddValue(std::uint16_t code, float weight, Tally& to) const
-  {
-    if (rule.period > 0.0F)
-    {
-      const float angle = sweep.scale.ValueOf(code) * static_cast<float>(turn) / rule.period;
-      to.sum += weight * std::cos(angle);
-      to.sine += weight * std::sin(angle);
-    }
-    else if (rule.linear)
-    {
-      to.sum += weight * std::pow(10.0F, 0.1F * sweep.scale.ValueOf(code));
-    }
-    else
-    {
-      to.sum += weight * static_cast<float>(code - 1); // its number
-    }
-  }
-
   float MeanNumber(const Tally& tally, const SweepMeans& means) const
   {
     if (rule.period > 0.0F)
@@ -295,7 +264,13 @@ public:
     const std::vector<RayWidth> widths = FindRayWidths(sweep);
     for (std::size_t number = 0; number < sectorRings; ++number)
     {
-      if (this->AddRays(number) || !closed) // else the cells are made as no echo
+      bool any = !closed;
+      for (std::size_t ray = 0; ray < rays; ++ray)
+      {
+        tallies[ray] = this->TallyOf(ray, number);
+        any = any || tallies[ray].none < 1.0F;
+      }
+      if (any) // else the cells are made as no echo
       {
         const SweepMeans::Ring& ring = means.rings[number];
         this->SetSectors(
@@ -304,7 +279,16 @@ public:
     }
     for (std::size_t ray = 0; ray < rays; ++ray)
     {
-      this->SetRay(ray, sectorRings);
+      const std::size_t end = sweep.held[ray + 1].end; // beyond, the cells are made as no echo
+      for (std::size_t ring = sectorRings; ring < means.rings.size() && ringGates[ring].begin < end;
+           ++ring)
+      {
+        const Tally tally = this->TallyOf(ray, ring);
+        if (tally.none < 1.0F)
+        {
+          means.cells[means.rings[ring].first + ray + 1] = adder.CellOf(tally, means);
+        }
+      }
     }
     for (std::size_t number = sectorRings; number < means.rings.size(); ++number)
     {
@@ -366,32 +350,6 @@ private:
       }
     }
     return tally;
-  }
-
-  // Of each ray the part in a ring. False when all of it is no echo.
-  bool AddRays(std::size_t ring)
-  {
-    bool any = false;
-    for (std::size_t ray = 0; ray < rays; ++ray)
-    {
-      tallies[ray] = this->TallyOf(ray, ring);
-      any = any || tallies[ray].none < 1.0F;
-    }
-    return any;
-  }
-
-  // The cells of a ray from a ring on, as far as it holds anything.
-  void SetRay(std::size_t ray, std::size_t firstRing)
-  {
-    for (std::size_t ring = firstRing;
-         ring < means.rings.size() && ringGates[ring].begin < sweep.held[ray + 1].end; ++ring)
-    {
-      const Tally tally = this->TallyOf(ray, ring);
-      if (tally.none < 1.0F) // else the cell is made as no echo
-      {
-        means.cells[means.rings[ring].first + ray + 1] = adder.CellOf(tally, means);
-      }
-    }
   }
 
   void SetSectors(std::size_t count, const std::vector<RayWidth>& widths, SweepMeans::Cell* cells)
@@ -477,10 +435,6 @@ SweepMeans MakeSweepMeans(const BeamSweep& sweep, const ValueRule& rule, double 
     return {}; // the gates serve everywhere
   }
   means.scale = ScaleOf(sweep, rule);
-  const SweepMeans::Ring& last = means.rings.back();
-  const std::size_t ofLast =
-    last.sectors > 0 ? static_cast<std::size_t>(last.sectors) + 2 : sweep.azimuths.size();
-  means.cells.resize(last.first + ofLast);
   SweepReducer(sweep, rule, means).Reduce(plan.GatesPerRing());
   return means;
 }

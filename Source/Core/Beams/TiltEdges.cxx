@@ -25,24 +25,31 @@ float TrendOver(double beyond, double gap)
   return static_cast<float>(0.25 * std::min(1.0, gap / beyond));
 }
 
+// How the value changes from one tilt to another; 0 when that is not known.
+float StepTo(float to, float from)
+{
+  const float step = to - from;
+  return std::isnan(step) ? 0.0F : step;
+}
+
 } // namespace
 
-std::vector<TiltEdges> FindEdges(const std::vector<TiltAngle>& tilts, double beamWidth)
+std::vector<TiltEdges> FindEdges(const std::vector<float>& elevations, double beamWidth)
 {
   const double half = 0.5 * beamWidth;
-  std::vector<TiltEdges> edges(tilts.size());
-  for (std::size_t i = 0; i < tilts.size(); ++i)
+  std::vector<TiltEdges> edges(elevations.size());
+  for (std::size_t i = 0; i < elevations.size(); ++i)
   {
-    const double elevation = static_cast<double>(tilts[i].elevation);
-    edges[i].elevation = tilts[i].elevation;
-    edges[i].tangent = tilts[i].tangent;
-    edges[i].perDegree =
-      (1.0F + tilts[i].tangent * tilts[i].tangent) * static_cast<float>(RadiansPerDegree);
+    const double elevation = static_cast<double>(elevations[i]);
+    const auto tangent = static_cast<float>(TangentOf(elevation));
+    edges[i].elevation = elevations[i];
+    edges[i].tangent = tangent;
+    edges[i].perDegree = (1.0F + tangent * tangent) * static_cast<float>(RadiansPerDegree);
     edges[i].lower = static_cast<float>(TangentOf(elevation - half));
     edges[i].upper = static_cast<float>(TangentOf(std::min(elevation + half, 89.9)));
-    if (i + 1 < tilts.size())
+    if (i + 1 < elevations.size())
     {
-      const double next = static_cast<double>(tilts[i + 1].elevation);
+      const double next = static_cast<double>(elevations[i + 1]);
       const double from = TangentOf(elevation);
       const double middle = 0.5 * (from + TangentOf(next));
       const double share = (std::atan(middle) / RadiansPerDegree - elevation) / (next - elevation);
@@ -55,29 +62,16 @@ std::vector<TiltEdges> FindEdges(const std::vector<TiltAngle>& tilts, double bea
       const double gap = next - elevation;
       if (i > 0)
       {
-        edges[i].trendBelow =
-          TrendOver(elevation - static_cast<double>(tilts[i - 1].elevation), gap);
+        edges[i].trendBelow = TrendOver(elevation - static_cast<double>(elevations[i - 1]), gap);
       }
-      if (i + 2 < tilts.size())
+      if (i + 2 < elevations.size())
       {
-        edges[i].trendAbove = TrendOver(static_cast<double>(tilts[i + 2].elevation) - next, gap);
+        edges[i].trendAbove = TrendOver(static_cast<double>(elevations[i + 2]) - next, gap);
       }
     }
   }
   return edges;
 }
-
-namespace
-{
-
-// How the value changes from one tilt to another; 0 when that is not known.
-float StepTo(float to, float from)
-{
-  const float step = to - from;
-  return std::isnan(step) ? 0.0F : step;
-}
-
-} // namespace
 
 TiltInterpolation::TiltInterpolation(const TiltGapValues& values, const TiltEdges& edges)
   : from(values.lower)

@@ -8,13 +8,6 @@
 namespace nexrad
 {
 
-/// The elevation of a tilt.
-struct TiltAngle
-{
-  float elevation = 0.0F; ///< degrees
-  float tangent = 0.0F;   ///< of the elevation
-};
-
 /// A tilt as the vertical interpolation needs it: tangents of elevations, which are linear in
 /// h/(a_e + h) over a column (Formulas G7). The last seven are of the gap to the next tilt.
 struct TiltEdges
@@ -34,8 +27,8 @@ struct TiltEdges
   float endShare = 1.0F;   ///< part of the way between the tilts that either end is from its echo
 };
 
-/// The edges of tilts, which ascend. `beamWidth` in degrees.
-std::vector<TiltEdges> FindEdges(const std::vector<TiltAngle>& tilts, double beamWidth);
+/// The edges of tilts at elevations that ascend. All in degrees.
+std::vector<TiltEdges> FindEdges(const std::vector<float>& elevations, double beamWidth);
 
 /// Reflectivity over one place on two neighbouring tilts and the tilts beyond them, dBZ, in which
 /// no echo is 0 dBZ.

@@ -137,37 +137,6 @@ private:
   std::size_t last = 0;
 };
 
-} // namespace
-
-TiltMeans::TiltMeans(const BeamSweep& sweep, const BeamModel& beam)
-  : elevation(sweep.elevation)
-  , last(0.0F)
-  , means(Sectors * Rings)
-{
-  const std::vector<std::size_t> rings = RingsOf(sweep, beam);
-  last = static_cast<float>(rings.empty() ? 0 : rings.back());
-  SectorMeans sums(sweep, rings);
-  std::size_t entry = 1; // the first repeats the last ray
-  for (std::size_t sector = 0; sector < Sectors; ++sector)
-  {
-    const float end = static_cast<float>(sector + 1);
-    const std::size_t first = entry;
-    for (; entry + 1 < sweep.azimuths.size() && sweep.azimuths[entry] < end; ++entry)
-    {
-      sums.Add(entry);
-    }
-    const int nearest = entry == first ? NearestEntry(sweep, end - 0.5F) : -1;
-    if (nearest >= 0)
-    {
-      sums.Add(static_cast<std::size_t>(nearest));
-    }
-    echoes.push_back(sums.Write(means.data() + sector * Rings));
-  }
-}
-
-namespace
-{
-
 constexpr std::size_t shareSectors = 72;
 constexpr std::size_t raysPerSector = TiltMeans::Sectors / shareSectors;
 constexpr std::size_t shareRings = LayerShares::Rings;
@@ -308,6 +277,32 @@ void AddTo(std::vector<float>& sums, const std::vector<float>& others)
 }
 
 } // namespace
+
+TiltMeans::TiltMeans(const BeamSweep& sweep, const BeamModel& beam)
+  : elevation(sweep.elevation)
+  , last(0.0F)
+  , means(Sectors * Rings)
+{
+  const std::vector<std::size_t> rings = RingsOf(sweep, beam);
+  last = static_cast<float>(rings.empty() ? 0 : rings.back());
+  SectorMeans sums(sweep, rings);
+  std::size_t entry = 1; // the first repeats the last ray
+  for (std::size_t sector = 0; sector < Sectors; ++sector)
+  {
+    const float end = static_cast<float>(sector + 1);
+    const std::size_t first = entry;
+    for (; entry + 1 < sweep.azimuths.size() && sweep.azimuths[entry] < end; ++entry)
+    {
+      sums.Add(entry);
+    }
+    const int nearest = entry == first ? NearestEntry(sweep, end - 0.5F) : -1;
+    if (nearest >= 0)
+    {
+      sums.Add(static_cast<std::size_t>(nearest));
+    }
+    echoes.push_back(sums.Write(means.data() + sector * Rings));
+  }
+}
 
 LayerShares::LayerShares(const std::vector<TiltMeans>& tilts, const BeamModel& beam)
 {

@@ -144,10 +144,12 @@ private:
   double rayEcho = 0.0;
 };
 
-VolumeComposite CompositeOf(const std::vector<const BeamSweep*>& sweeps)
+using SweepIterator = std::vector<BeamSweep>::const_iterator;
+
+VolumeComposite CompositeOf(SweepIterator begin, SweepIterator end)
 {
   VolumeComposite composite;
-  for (const BeamSweep* sweep : sweeps)
+  for (SweepIterator sweep = begin; sweep != end; ++sweep)
   {
     composite.rings = std::max(composite.rings, RingsOf(*sweep));
   }
@@ -155,7 +157,7 @@ VolumeComposite CompositeOf(const std::vector<const BeamSweep*>& sweeps)
   composite.cells.assign(size, VolumeComposite::Cell::NotScanned);
   composite.tops.assign(size, 0);
   composite.values.assign(size, 0.0F);
-  for (const BeamSweep* sweep : sweeps)
+  for (SweepIterator sweep = begin; sweep != end; ++sweep)
   {
     if (RingsOf(*sweep) > 0)
     {
@@ -173,12 +175,7 @@ VolumeComposite CompositeOf(const std::vector<const BeamSweep*>& sweeps)
 
 VolumeComposite MakeComposite(const std::vector<BeamSweep>& sweeps)
 {
-  std::vector<const BeamSweep*> all;
-  for (const BeamSweep& sweep : sweeps)
-  {
-    all.push_back(&sweep);
-  }
-  return CompositeOf(all);
+  return CompositeOf(sweeps.begin(), sweeps.end());
 }
 
 VolumeComposite MakeLowestComposite(const std::vector<BeamSweep>& sweeps)
@@ -189,8 +186,7 @@ VolumeComposite MakeLowestComposite(const std::vector<BeamSweep>& sweeps)
   const auto isLowest = [&lowest](const BeamSweep& sweep)
   { return sweep.elevation - lowest->elevation <= static_cast<float>(SameTilt); };
   const auto first = std::find_if(sweeps.begin(), sweeps.end(), isLowest);
-  return CompositeOf(first != sweeps.end() ? std::vector<const BeamSweep*>{&*first}
-                                           : std::vector<const BeamSweep*>{});
+  return CompositeOf(first, first == sweeps.end() ? first : first + 1);
 }
 
 } // namespace nexrad

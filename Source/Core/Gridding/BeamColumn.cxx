@@ -305,11 +305,11 @@ void BeamColumn::AddTrend(const SiteColumn& site, const Gap& gap)
   }
   if (ChangedByLayers(site, gap.tilt))
   {
-    const EchoLayers::Curve changes(site.layers[gap.tilt]);
+    const EchoLayers::Changes changes = site.layers[gap.tilt];
     for (int level = gap.from; level < gap.to; ++level)
     {
       const auto at = static_cast<std::size_t>(level);
-      values[at] = changes.Change(values[at], shares[at]);
+      values[at] = changes.Apply(values[at], shares[at]);
     }
   }
   this->WeighLevels(site, gap, gap.from, gap.to);
@@ -525,22 +525,17 @@ void BeamColumn::FillColumn()
     }
     for (std::size_t empty = next; empty < z; ++empty)
     {
-      const bool lowest = next == 0;
+      // Part of the way from one known voxel to another; the nearer one when one has no value.
+      const std::size_t from = next == 0 ? z : next - 1;
       const auto gap = static_cast<float>(z - next + 1);
-      const float part = lowest ? 1.0F : static_cast<float>(empty - next + 1) / gap;
-      this->FillVoxel(empty, lowest ? z : next - 1, z, part);
+      const float part = next == 0 ? 1.0F : static_cast<float>(empty - next + 1) / gap;
+      const bool bothEcho = states[from] == VoxelState::Echo && states[z] == VoxelState::Echo;
+      const std::size_t nearer = part < 0.5F ? from : z;
+      states[empty] = states[nearer];
+      values[empty] = bothEcho ? values[from] + part * (values[z] - values[from]) : values[nearer];
     }
     next = z + 1;
   }
-}
-
-// The value `part` of the way from one known voxel to another; the nearer when one has none.
-void BeamColumn::FillVoxel(std::size_t at, std::size_t from, std::size_t to, float part)
-{
-  const bool bothEcho = states[from] == VoxelState::Echo && states[to] == VoxelState::Echo;
-  const std::size_t nearer = part < 0.5F ? from : to;
-  states[at] = states[nearer];
-  values[at] = bothEcho ? values[from] + part * (values[to] - values[from]) : values[nearer];
 }
 
 } // namespace nexrad

@@ -111,7 +111,6 @@ private:
   void AddUnknown(VoxelState state, int from, int to);
   void AddState(const SiteColumn& site, const Gap& gap, const TiltSample& sample, int from, int to);
   void ConvertEchoes();
-  void FillVoxel(std::size_t at, std::size_t from, std::size_t to, float part);
   void AddAncillary(const SiteColumn& site, const Gap& gap, int from, int to);
   void WeighLevels(const SiteColumn& site, const Gap& gap, int from, int to);
   void ShareLevels(const SiteColumn& site, const Gap& gap, int from, int to);

@@ -2,7 +2,8 @@
 #include "nexrad/Gridding/BeamMerge.h"
 
 #include "nexrad/Beams/BeamSharpening.h"
-#include "nexrad/Model/SiteKey.h"
+#include "nexrad/Beams/SweepMeans.h"
+#include "nexrad/Model/Site.h"
 #include "nexrad/Model/SiteTable.h"
 #include "nexrad/System/Error.h"
 
@@ -54,18 +55,19 @@ float HalfTangentAt(double slantRange, double effectiveRadius)
   return static_cast<float>(std::tan(0.5 * slantRange / effectiveRadius));
 }
 
-// tan(γ/2) at the end of the farthest gate.
-float ReachOf(const std::vector<const BeamVolume*>& volumes, double effectiveRadius)
+// The largest of what the sweeps of volumes have, at least 0.
+template <class Of>
+double LargestOf(const std::vector<const BeamVolume*>& volumes, const Of& of)
 {
-  float reach = 0.0F;
+  float largest = 0.0F;
   for (const BeamVolume* volume : volumes)
   {
     for (const BeamSweep& sweep : volume->sweeps)
     {
-      reach = std::max(reach, sweep.Reach());
+      largest = std::max(largest, of(sweep));
     }
   }
-  return HalfTangentAt(static_cast<double>(reach), effectiveRadius);
+  return static_cast<double>(largest);
 }
 
 // Seconds from the time to the farthest ray of a list that may be needed.
@@ -98,30 +100,6 @@ double FarthestWay(const std::vector<BeamTilt>& tilts, const MotionField& motion
   return motion.FastestSpeed() * static_cast<double>(longest);
 }
 
-// Metres from a column within which gates may count in its sample, but for one gate or ray beside.
-double WidestSpread(const std::vector<const BeamVolume*>& volumes)
-{
-  float widest = 0.0F;
-  for (const BeamVolume* volume : volumes)
-  {
-    for (const BeamSweep& sweep : volume->sweeps)
-    {
-      widest = std::max(widest, sweep.means.spread);
-    }
-  }
-  return static_cast<double>(widest);
-}
-
-std::vector<const VolumeComposite*> CompositesOf(const std::vector<const BeamVolume*>& volumes)
-{
-  std::vector<const VolumeComposite*> composites;
-  for (const BeamVolume* volume : volumes)
-  {
-    composites.push_back(&volume->composite);
-  }
-  return composites;
-}
-
 // The volumes of each radar.
 std::map<SiteKey, std::vector<const BeamVolume*>> GroupBySite(const BeamVolumes& volumes)
 {
@@ -131,26 +109,6 @@ std::map<SiteKey, std::vector<const BeamVolume*>> GroupBySite(const BeamVolumes&
     groups[KeyOf(volume->site)].push_back(volume.get());
   }
   return groups;
-}
-
-std::vector<Position> PositionsOf(const BeamVolumes& volumes)
-{
-  std::vector<Position> positions;
-  for (const std::shared_ptr<const BeamVolume>& volume : volumes)
-  {
-    positions.push_back(*volume->site.position);
-  }
-  return positions;
-}
-
-std::vector<TiltAngle> AnglesOf(const std::vector<BeamTilt>& tilts)
-{
-  std::vector<TiltAngle> angles;
-  for (const BeamTilt& tilt : tilts)
-  {
-    angles.push_back({tilt.elevation, tilt.tangent});
-  }
-  return angles;
 }
 
 // A site's north in the directions of the grid's axes. On projected axes the meridians converge; by
@@ -166,16 +124,6 @@ std::array<double, 2> NorthIn(const GridSpecification& grid, const Position& sit
   const auto north = grid.FromGeographic(site.longitude, site.latitude + way);
   const double length = std::hypot(north[0] - south[0], north[1] - south[1]);
   return {(north[0] - south[0]) / length, (north[1] - south[1]) / length};
-}
-
-// The shorter side of a voxel about a site, m.
-double VoxelSide(const GridSpecification& grid, const Position& site)
-{
-  const double y = grid.FromGeographic(site.longitude, site.latitude)[1];
-  const double row = (y - grid.origin[1]) / grid.spacing[1];
-  const std::array<double, 2> extent =
-    VoxelExtent(grid, std::clamp(row, 0.0, static_cast<double>(grid.dimensions[1] - 1)));
-  return std::min(extent[0], extent[1]);
 }
 
 // Knows tilts without echo by the distance, where age is not wanted and every voxel that a radar
@@ -198,10 +146,18 @@ void FindQuietZones(double overlapLength, bool byDistance, MergeSite& site)
   }
 }
 
-// 0 for no means.
+// The shorter side of a voxel about a site, m; 0 for no means.
 double SideOfMeans(const Site& site, const GridSpecification& grid, const BeamMergeOptions& options)
 {
-  return options.means && site.position ? VoxelSide(grid, *site.position) : 0.0;
+  if (!options.means || !site.position)
+  {
+    return 0.0;
+  }
+  const double y = grid.FromGeographic(site.position->longitude, site.position->latitude)[1];
+  const double row = (y - grid.origin[1]) / grid.spacing[1];
+  const std::array<double, 2> extent =
+    VoxelExtent(grid, std::clamp(row, 0.0, static_cast<double>(grid.dimensions[1] - 1)));
+  return std::min(extent[0], extent[1]);
 }
 
 // The means that the options ask for, in place of those that a volume has.
@@ -229,53 +185,30 @@ void TakeBiasOff(const RadarBiases& biases, BeamVolume& volume)
   }
 }
 
-// Whether a volume has these means, or needs none.
-bool HasMeans(
-  const BeamVolume& volume, const GridSpecification& grid, const BeamMergeOptions& options)
-{
-  return volume.sweeps.empty() || volume.voxelSide == SideOfMeans(volume.site, grid, options);
-}
-
-void CheckOptions(const GridSpecification& grid, const BeamMergeOptions& options)
-{
-  if (grid.VoxelCount() == 0)
-  {
-    throw Error("the grid has no voxels: each dimension must be 1 or more");
-  }
-  if (!(options.overlapLength > 0.0))
-  {
-    throw Error(
-      "overlap length of " + std::to_string(options.overlapLength) + " m: must be above 0");
-  }
-  if (options.beamWidth && !(*options.beamWidth > 0.0 && *options.beamWidth < 10.0))
-  {
-    throw Error("beam width of " + std::to_string(*options.beamWidth) +
-                " degrees: must be above 0 and below 10");
-  }
-  if (options.maximumGap < Duration::zero())
-  {
-    throw Error(
-      "largest gap of " + std::to_string(options.maximumGap.count()) + " ms: must not be below 0");
-  }
-}
-
 // Of what the radar measures, reflectivity in dBZ alone is known to be a mean of Z.
 bool IsSharpened(MomentName moment, const BeamMergeOptions& options)
 {
   return moment == MomentName::REF && !options.linearReflectivity && options.sharpen;
 }
 
-void RequireSameMoment(const PolarVolume& volume, const PolarVolume& first)
+// Says of a radar all of whose volumes are cut off where they end. Another volume fills up what one
+// lacks.
+void AddNote(const std::vector<const BeamVolume*>& ofSite, std::vector<std::string>& notes)
 {
-  if (!volume.site.position)
+  double highest = 0.0;
+  for (const BeamVolume* volume : ofSite)
   {
-    throw Error("site \"" + volume.site.name + "\" has no position: it cannot be gridded");
+    if (!volume->endsAt)
+    {
+      return;
+    }
+    highest = std::max(highest, *volume->endsAt);
   }
-  if (volume.moment != first.moment)
-  {
-    throw Error(std::string("volumes of ") + ToString(first.moment) + " and of " +
-                ToString(volume.moment) + " cannot be merged into one: give one moment");
-  }
+  std::ostringstream note;
+  note.imbue(std::locale::classic());
+  note << ofSite.front()->site.name << ": volume ends at " << std::round(10.0 * highest) / 10.0
+       << "°, cut off";
+  notes.push_back(note.str());
 }
 
 } // namespace
@@ -334,7 +267,10 @@ BeamMerger::BeamMerger(const GridSpecification& theGrid, const BeamMergeOptions&
   , options(theOptions)
   , block(VoxelBlock::Of(theGrid))
 {
-  CheckOptions(grid, options);
+  if (grid.VoxelCount() == 0)
+  {
+    throw Error("the grid has no voxels: each dimension must be 1 or more");
+  }
 }
 
 void BeamMerger::SetBlock(const VoxelBlock& part)
@@ -365,50 +301,6 @@ std::vector<bool> BeamMerger::FindReaching(
   return reaching;
 }
 
-bool BeamMerger::KeptVolume::IsMadeFrom(const PolarVolume& source) const
-{
-  return KeyOf(volume->site) == KeyOf(source.site) && volume->start == source.start &&
-         volume->end == source.end && volume->moment == source.moment &&
-         sweeps == source.sweeps.size();
-}
-
-BeamVolumes BeamMerger::Prepare(
-  const std::vector<const PolarVolume*>& volumes, const RangeLoop& loop)
-{
-  std::vector<KeptVolume> next;
-  std::vector<std::size_t> missing;
-  for (std::size_t i = 0; i < volumes.size(); ++i)
-  {
-    const PolarVolume& source = *volumes[i];
-    RequireSameMoment(source, *volumes.front());
-    const auto found = std::find_if(kept.begin(), kept.end(),
-      [&source](const KeptVolume& each) { return each.IsMadeFrom(source); });
-    next.push_back({source.sweeps.size(), found != kept.end() ? found->volume : nullptr});
-    if (found == kept.end())
-    {
-      missing.push_back(i);
-    }
-  }
-  // An exception must not leave a thread of the loop: what can be wrong was looked at above.
-  RunLoop(loop, static_cast<int>(missing.size()),
-    [&](int begin, int end)
-    {
-      for (int i = begin; i < end; ++i)
-      {
-        const std::size_t which = missing[static_cast<std::size_t>(i)];
-        next[which].volume =
-          std::make_shared<const BeamVolume>(PrepareForGrid(*volumes[which], grid, options));
-      }
-    });
-  kept = std::move(next);
-  BeamVolumes ready;
-  for (const KeptVolume& each : kept)
-  {
-    ready.push_back(each.volume);
-  }
-  return ready;
-}
-
 BeamVolumes BeamMerger::WithMeans(const BeamVolumes& volumes, const RangeLoop& loop)
 {
   const auto isGone = [](const Remade& each) { return each.source.expired(); };
@@ -421,7 +313,9 @@ BeamVolumes BeamMerger::WithMeans(const BeamVolumes& volumes, const RangeLoop& l
   std::vector<Remade> missing;
   for (const std::shared_ptr<const BeamVolume>& volume : volumes)
   {
-    if (!HasMeans(*volume, grid, options) && find(volume) == remade.end())
+    const bool hasMeans =
+      volume->sweeps.empty() || volume->voxelSide == SideOfMeans(volume->site, grid, options);
+    if (!hasMeans && find(volume) == remade.end())
     {
       missing.push_back({volume, nullptr});
     }
@@ -445,39 +339,27 @@ BeamVolumes BeamMerger::WithMeans(const BeamVolumes& volumes, const RangeLoop& l
 
 void BeamMerger::FindGeometries(const std::vector<Position>& positions, const RangeLoop& loop)
 {
-  const auto same = [](const Position& a, const Position& b)
-  { return a.latitude == b.latitude && a.longitude == b.longitude; };
-  std::vector<std::size_t> missing;
+  std::vector<std::pair<Position, std::shared_ptr<const SiteGeometry>*>> missing;
   for (const Position& position : positions)
   {
-    const auto known = [&](const KeptGeometry& other) { return same(other.position, position); };
-    if (std::none_of(geometries.begin(), geometries.end(), known))
+    const auto [place, isNew] =
+      geometries.try_emplace({position.latitude, position.longitude}, nullptr);
+    if (isNew)
     {
-      missing.push_back(geometries.size());
-      geometries.push_back({position, nullptr});
+      missing.emplace_back(position, &place->second);
     }
   }
-  RunLoop(loop, static_cast<int>(missing.size()),
-    [&](int begin, int end)
+  RunEach(loop, missing.size(),
+    [&](std::size_t i)
     {
-      for (int i = begin; i < end; ++i)
-      {
-        KeptGeometry& to = geometries[missing[static_cast<std::size_t>(i)]];
-        to.geometry = std::make_shared<const SiteGeometry>(
-          grid, to.position, farthestGate, options.beam, block);
-      }
+      *missing[i].second = std::make_shared<const SiteGeometry>(
+        grid, missing[i].first, farthestGate, options.beam, block);
     });
 }
 
 const SiteGeometry& BeamMerger::GeometryOf(const Position& position) const
 {
-  const auto found = std::find_if(geometries.begin(), geometries.end(),
-    [&position](const KeptGeometry& each)
-    {
-      return each.position.latitude == position.latitude &&
-             each.position.longitude == position.longitude;
-    });
-  return *found->geometry;
+  return *geometries.at({position.latitude, position.longitude});
 }
 
 std::vector<MergeSite> BeamMerger::MakeSites(
@@ -497,52 +379,39 @@ std::vector<MergeSite> BeamMerger::MakeSites(
     const BeamVolume& any = *group.second.front();
     const Position& position = *any.site.position;
     const bool byDistance = StrategyFor(any.moment, options.strategy) == OverlapStrategy::Distance;
+    const double reach =
+      LargestOf(group.second, [](const BeamSweep& sweep) { return sweep.Reach(); });
     MergeSite site{number, position, nullptr,
       SiteLevels(grid, position.altitude, radius, byDistance ? options.overlapLength : 0.0), tilts,
-      {}, ContextFor(any, options, radius), ReachOf(group.second, radius), {}, {}, {}, {}, {}, {}};
+      {}, ContextFor(any, options, radius), HalfTangentAt(reach, radius), {}, {}, {}, {}, {}, {}};
     const double beamWidth = options.beamWidth.value_or(BeamWidthOf(any.site));
-    site.edges = FindEdges(AnglesOf(site.tilts), beamWidth);
+    std::vector<float> elevations;
     for (const BeamTilt& tilt : site.tilts)
     {
+      elevations.push_back(tilt.elevation);
       site.quiet.push_back(FindQuiet(tilt, site.context));
     }
+    site.edges = FindEdges(elevations, beamWidth);
     FindQuietZones(options.overlapLength, byDistance, site);
     if (options.trend && any.moment == MomentName::REF && !options.linearReflectivity)
     {
       site.layers = SiteLayers(group.second, site.tilts, time);
     }
+    // Gates count in the sample of a column that is so far away, but for one gate or ray beside.
+    const double spread =
+      LargestOf(group.second, [](const BeamSweep& sweep) { return sweep.means.spread; });
     const double way = motion != nullptr ? FarthestWay(site.tilts, *motion) : 0.0;
-    site.mask = EchoMask(CompositesOf(group.second), radius, way + WidestSpread(group.second));
+    std::vector<const VolumeComposite*> composites;
+    for (const BeamVolume* volume : group.second)
+    {
+      composites.push_back(&volume->composite);
+    }
+    site.mask = EchoMask(composites, radius, way + spread);
     site.north = NorthIn(grid, position);
     sites.push_back(std::move(site));
   }
   return sites;
 }
-
-namespace
-{
-
-// Says of a radar all of whose volumes are cut off where they end. Another volume fills up what one
-// lacks.
-void AddNote(const std::vector<const BeamVolume*>& ofSite, std::vector<std::string>& notes)
-{
-  double highest = 0.0;
-  for (const BeamVolume* volume : ofSite)
-  {
-    if (!volume->endsAt)
-    {
-      return;
-    }
-    highest = std::max(highest, *volume->endsAt);
-  }
-  std::ostringstream note;
-  note.imbue(std::locale::classic());
-  note << ofSite.front()->site.name << ": volume ends at " << std::round(10.0 * highest) / 10.0
-       << "°, cut off";
-  notes.push_back(note.str());
-}
-
-} // namespace
 
 GriddedVolume BeamMerger::VolumeToFill(
   const BeamVolumes& volumes, Time time, GriddedVolume memory) const
@@ -607,7 +476,12 @@ BeamMergePlan BeamMerger::Plan(
 std::optional<GriddedVolume> BeamMerger::Merge(
   BeamMergePlan& plan, const RangeLoop& loop, const Progress& progress, GriddedVolume memory)
 {
-  this->FindGeometries(PositionsOf(plan.volumes), loop);
+  std::vector<Position> positions;
+  for (const std::shared_ptr<const BeamVolume>& volume : plan.volumes)
+  {
+    positions.push_back(*volume->site.position);
+  }
+  this->FindGeometries(positions, loop);
   for (MergeSite& site : plan.sites)
   {
     site.geometry = &this->GeometryOf(site.position);
@@ -642,12 +516,6 @@ std::optional<GriddedVolume> BeamMerger::Merge(
     return std::nullopt;
   }
   return volume;
-}
-
-std::optional<GriddedVolume> BeamMerger::Merge(const std::vector<const PolarVolume*>& volumes,
-  Time time, const RangeLoop& loop, const Progress& progress)
-{
-  return this->Merge(this->Prepare(volumes, loop), time, nullptr, loop, progress);
 }
 
 } // namespace nexrad

@@ -5,14 +5,15 @@
 #include "nexrad/Calibration/RadarBiases.h"
 #include "nexrad/Geometry/Beam.h"
 #include "nexrad/Grid/GriddedVolume.h"
-#include "nexrad/Grid/VoxelBlock.h"
 #include "nexrad/Gridding/BeamRows.h"
 #include "nexrad/Polar/PolarVolume.h"
 #include "nexrad/System/Progress.h"
 #include "nexrad/System/RangeLoop.h"
 
+#include <array>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -87,18 +88,13 @@ struct BeamMergePlan
 /// With a motion, both observations are shifted along it to the time (A2a) and then blended;
 /// without, they are blended without a shift.
 ///
-/// An object serves one run: it keeps the geometry of each radar on the grid, and the volumes of
-/// the last merge made ready, so that a run through the day prepares each volume once and holds
-/// about three of each radar. The result does not depend on the loop that runs the rows.
+/// An object serves one run: it keeps the geometry of each radar on the grid. The result does not
+/// depend on the loop that runs the rows.
 class BeamMerger
 {
 public:
-  /// Throws Error for a grid without voxels, or an option that is out of its range.
+  /// Throws Error for a grid without voxels.
   BeamMerger(const GridSpecification& grid, const BeamMergeOptions& options = {});
-
-  /// Volumes made ready for a merge, those of the call before as they are. Throws Error when a site
-  /// has no position or the moments differ.
-  BeamVolumes Prepare(const std::vector<const PolarVolume*>& volumes, const RangeLoop& loop = {});
 
   /// The part of the grid that is made from now on: all of it unless said. What is made of a voxel
   /// does not depend on it. Throws Error as PartOf does.
@@ -108,14 +104,14 @@ public:
   /// the same result in Merge.
   std::vector<bool> FindReaching(const std::vector<SiteReach>& radars, const RangeLoop& loop = {});
 
-  /// The merge at a time, of volumes from Prepare or PrepareForGrid; means that a volume lacks for
-  /// this grid are made here, and kept as long as the volume is held. Of each radar those about the
-  /// time, in any order: the last one that ended before it, those in progress, the first one after
-  /// it; others make no difference but cost time. All must hold the same moment. Without volumes no
-  /// voxel is scanned. `motion`, of the grid, may be nullptr. Empty when `progress` asked to stop;
-  /// it is called from this thread alone. `memory` is a volume that is no longer needed: its arrays
-  /// become those of the result. A radar is named in the result also when none of its volumes has a
-  /// sweep. Throws Error for a motion of another grid.
+  /// The merge at a time, of volumes from PrepareForGrid; means that a volume lacks for this grid
+  /// are made here, and kept as long as the volume is held. Of each radar those about the time, in
+  /// any order: the last one that ended before it, those in progress, the first one after it;
+  /// others make no difference but cost time. All must hold the same moment and have a position.
+  /// Without volumes no voxel is scanned. `motion`, of the grid, may be nullptr. Empty when
+  /// `progress` asked to stop; it is called from this thread alone. `memory` is a volume that is no
+  /// longer needed: its arrays become those of the result. A radar is named in the result also when
+  /// none of its volumes has a sweep. Throws Error for a motion of another grid.
   std::optional<GriddedVolume> Merge(const BeamVolumes& volumes, Time time,
     const MotionField* motion, const RangeLoop& loop = {}, const Progress& progress = {},
     GriddedVolume memory = {});
@@ -127,32 +123,15 @@ public:
   std::optional<GriddedVolume> Merge(BeamMergePlan& plan, const RangeLoop& loop = {},
     const Progress& progress = {}, GriddedVolume memory = {});
 
-  /// The same of volumes that are not ready, without motion.
-  std::optional<GriddedVolume> Merge(const std::vector<const PolarVolume*>& volumes, Time time,
-    const RangeLoop& loop = {}, const Progress& progress = {});
-
   const GridSpecification& Grid() const { return grid; }
   const BeamMergeOptions& Options() const { return options; }
 
 private:
-  // A volume made ready, and what tells it from others.
-  struct KeptVolume
-  {
-    std::size_t sweeps;
-    std::shared_ptr<const BeamVolume> volume;
-
-    bool IsMadeFrom(const PolarVolume& source) const;
-  };
   // A volume that was made ready for other voxels, with the means for these.
   struct Remade
   {
     std::weak_ptr<const BeamVolume> source; // as long as it is held elsewhere
     std::shared_ptr<const BeamVolume> volume;
-  };
-  struct KeptGeometry
-  {
-    Position position;
-    std::shared_ptr<const SiteGeometry> geometry;
   };
 
   BeamVolumes WithMeans(const BeamVolumes& volumes, const RangeLoop& loop);
@@ -165,8 +144,8 @@ private:
   const GridSpecification grid;
   const BeamMergeOptions options;
   VoxelBlock block;
-  std::vector<KeptGeometry> geometries; // over the block
-  std::vector<KeptVolume> kept;         // in the order given
+  // Over the block, by latitude and longitude.
+  std::map<std::array<double, 2>, std::shared_ptr<const SiteGeometry>> geometries;
   std::vector<Remade> remade;
 };
 

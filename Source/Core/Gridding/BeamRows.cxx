@@ -35,8 +35,6 @@ public:
       from.begin(), from.end(), values.begin() + static_cast<std::ptrdiff_t>(stride) * column);
   }
 
-  void SetAll(Value value) { std::fill(values.begin(), values.end(), value); }
-
   // Writes a level of the first `count` columns to where the first of them stands.
   void Write(std::size_t level, int count, Value* to) const
   {
@@ -99,16 +97,9 @@ public:
       this->Sample(i, x, y, count);
     }
     anyEcho = false;
-    if (present.empty())
+    for (int i = 0; i < count && !present.empty(); ++i)
     {
-      this->KeepNothing();
-    }
-    else
-    {
-      for (int i = 0; i < count; ++i)
-      {
-        this->MergeColumn(x + i, y, i);
-      }
+      this->MergeColumn(x + i, y, i);
     }
     this->Write(x, y, count);
   }
@@ -301,7 +292,12 @@ private:
       seen.levels = &site.levels;
       seen.edges = &site.edges;
       seen.samples = samples[number].data() + static_cast<std::size_t>(place) * site.tilts.size();
-      seen.layers = this->FindLayers(number, x, y, place) ? layers.data() : nullptr;
+      // Formulas G12: what layers of echo change over the column.
+      const ColumnMotion* motion = options.motion != nullptr ? &about.motion : nullptr;
+      const bool layered =
+        about.layers &&
+        site.layers.Find(site.geometry->Row(y)[x - site.geometry->BeginX()], motion, layers);
+      seen.layers = layered ? layers.data() : nullptr;
       if (about.quiet)
       {
         column.AddQuiet(seen, about.firstTilt, about.endTilt);
@@ -318,19 +314,6 @@ private:
       column.FillColumn();
     }
     this->Keep(place);
-  }
-
-  // Formulas G12: what layers of echo change over a column; false for nothing.
-  bool FindLayers(std::size_t number, int x, int y, int place)
-  {
-    const Surroundings& about = surroundings[number][static_cast<std::size_t>(place)];
-    if (!about.layers)
-    {
-      return false;
-    }
-    const MergeSite& site = sites[number];
-    const ColumnDirection& direction = site.geometry->Row(y)[x - site.geometry->BeginX()];
-    return site.layers.Find(direction, options.motion != nullptr ? &about.motion : nullptr, layers);
   }
 
   // Formulas W4, the part of the distance along the ground; the heights' part is in the levels.
@@ -358,15 +341,6 @@ private:
     }
   }
 
-  // Ancillary arrays of a strip that no radar sees.
-  void KeepNothing()
-  {
-    ages.SetAll(0.0F);
-    weights.SetAll(0.0F);
-    radars.SetAll(0);
-    nearestSites.SetAll(BeamColumn::NoSite);
-  }
-
   void Write(int x, int y, int count) const
   {
     const VoxelBlock& block = options.block;
@@ -377,17 +351,20 @@ private:
     for (auto level = static_cast<std::size_t>(block.begin[2]);
          level < static_cast<std::size_t>(block.end[2]); ++level, at += plane)
     {
-      float* to = volume.values.data() + at;
-      anyEcho ? values.Write(level, count, to) : std::fill(to, to + count, volume.fill);
-      VoxelState* state = volume.states.data() + at;
-      present.empty() ? std::fill(state, state + count, VoxelState::NotScanned)
-                      : states.Write(level, count, state);
+      const auto write = [&](bool any, const auto& strip, auto& array, auto nothing)
+      {
+        auto* to = array.data() + at;
+        any ? strip.Write(level, count, to) : std::fill(to, to + count, nothing);
+      };
+      const bool seen = !present.empty();
+      write(anyEcho, values, volume.values, volume.fill);
+      write(seen, states, volume.states, VoxelState::NotScanned);
       if (ancillary)
       {
-        ages.Write(level, count, volume.ancillary.age.data() + at);
-        weights.Write(level, count, volume.ancillary.weight.data() + at);
-        radars.Write(level, count, volume.ancillary.radars.data() + at);
-        nearestSites.Write(level, count, volume.ancillary.nearestSite.data() + at);
+        write(seen, ages, volume.ancillary.age, 0.0F);
+        write(seen, weights, volume.ancillary.weight, 0.0F);
+        write(seen, radars, volume.ancillary.radars, std::uint8_t(0));
+        write(seen, nearestSites, volume.ancillary.nearestSite, BeamColumn::NoSite);
       }
     }
   }

@@ -3,7 +3,6 @@
 
 #include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/Grid/SiteGeometry.h"
-#include "nexrad/Grid/VoxelBlock.h"
 #include "nexrad/Gridding/BeamColumn.h"
 #include "nexrad/Gridding/BeamSampling.h"
 #include "nexrad/Gridding/BeamTilts.h"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Gridding/BeamSampling.h"
 
-#include "nexrad/Gridding/SweepPlace.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -42,13 +40,8 @@ inline float Interpolated(float value, const ValueRule& rule)
 }
 
 // What lies about a point: weights by state, and the mean of the echoes.
-struct Tally
+struct Tally : StateWeights
 {
-  float echo = 0.0F;
-  float none = 0.0F;
-  float folded = 0.0F;
-  float filtered = 0.0F;
-  float missing = 0.0F;
   float value = 0.0F;
 
   void AddEcho(float own, float weight, const ValueRule& rule)
@@ -58,24 +51,6 @@ struct Tally
     {
       value = echo > weight ? Blend(value, own, weight / echo, rule) : own;
     }
-  }
-  void AddNothing(std::uint16_t code, float weight)
-  {
-    float& of = code == GateCode::NoEcho        ? none
-                : code == GateCode::RangeFolded ? folded
-                : code == GateCode::Filtered    ? filtered
-                                                : missing;
-    of += weight;
-  }
-
-  // Of what lies about where nothing was measured.
-  VoxelState StateOfNothing() const
-  {
-    if (filtered > folded)
-    {
-      return filtered >= missing ? VoxelState::Filtered : VoxelState::NotScanned;
-    }
-    return folded >= missing ? VoxelState::RangeFolded : VoxelState::NotScanned;
   }
 };
 
@@ -98,7 +73,10 @@ void Decide(const Tally& about, const ValueRule& rule, Observed& observed)
   }
   else
   {
-    observed.state = about.StateOfNothing();
+    const std::uint16_t code = about.CodeOfNothing();
+    observed.state = code == GateCode::Filtered      ? VoxelState::Filtered
+                     : code == GateCode::RangeFolded ? VoxelState::RangeFolded
+                                                     : VoxelState::NotScanned;
   }
 }
 

@@ -12,14 +12,13 @@ namespace nexrad
 namespace
 {
 
-constexpr int sectors = VolumeComposite::Sectors;
+constexpr auto sectors = static_cast<std::size_t>(VolumeComposite::Sectors);
 
 // The largest within `by` places to either side, in a row that may close to a circle.
-void WidenRow(
-  const std::vector<std::uint8_t>& from, int by, bool circle, std::vector<std::uint8_t>& to)
+std::vector<std::uint8_t> WidenRow(const std::vector<std::uint8_t>& from, int by, bool circle)
 {
   const int size = static_cast<int>(from.size());
-  to.assign(from.size(), 0);
+  std::vector<std::uint8_t> to(from.size(), 0);
   const int start = circle ? -by : 0;
   const int end = circle ? size + by : size;
   const auto at = [&](int i) { return from[static_cast<std::size_t>((i + size) % size)]; };
@@ -36,6 +35,7 @@ void WidenRow(
         first, last, first, [top](std::uint8_t other) { return std::max(other, top); });
     }
   }
+  return to;
 }
 
 } // namespace
@@ -53,10 +53,10 @@ EchoMask::EchoMask(
   const double ringWidth = static_cast<double>(VolumeComposite::RingWidth);
   rings += static_cast<std::size_t>(std::ceil(distance / ringWidth)) + 2;
   ringsPerTangent = static_cast<float>(2.0 * effectiveRadius / ringWidth);
-  tops.assign(rings * static_cast<std::size_t>(sectors), 0);
+  tops.assign(rings * sectors, 0);
   for (const VolumeComposite* composite : composites)
   {
-    for (int sector = 0; sector < sectors; ++sector)
+    for (int sector = 0; sector < VolumeComposite::Sectors; ++sector)
     {
       for (int ring = 0; ring < composite->rings; ++ring)
       {
@@ -66,14 +66,12 @@ EchoMask::EchoMask(
       }
     }
   }
-  this->Widen(distance, widestGap);
-}
-
-void EchoMask::Widen(double distance, float widestGap)
-{
   // A ring for the gate beside, another for what the ground distance was rounded.
-  const double ringWidth = static_cast<double>(VolumeComposite::RingWidth);
-  this->WidenRings(static_cast<int>(std::ceil(distance / ringWidth)) + 2);
+  const int ringsBeside = static_cast<int>(std::ceil(distance / ringWidth)) + 2;
+  for (std::size_t sector = 0; sector < sectors; ++sector)
+  {
+    this->WidenLine(sector * rings, 1, rings, ringsBeside, false);
+  }
   const int raysBeside = static_cast<int>(std::ceil(widestGap)) + 1;
   for (std::size_t ring = 0; ring < rings; ++ring)
   {
@@ -82,33 +80,22 @@ void EchoMask::Widen(double distance, float widestGap)
     const bool around = distance >= range;
     const double angle = around ? 180.0 : std::asin(distance / range) / RadiansPerDegree;
     const int by = static_cast<int>(std::ceil(angle)) + raysBeside;
-    this->WidenSectors(ring, std::min(by, sectors / 2));
+    this->WidenLine(ring, rings, sectors, std::min(by, VolumeComposite::Sectors / 2), true);
   }
 }
 
-void EchoMask::WidenRings(int by)
+void EchoMask::WidenLine(
+  std::size_t first, std::size_t stride, std::size_t count, int by, bool circle)
 {
-  std::vector<std::uint8_t> wide;
-  for (std::size_t sector = 0; sector < static_cast<std::size_t>(sectors); ++sector)
+  std::vector<std::uint8_t> line;
+  for (std::size_t i = 0; i < count; ++i)
   {
-    const auto first = tops.begin() + static_cast<std::ptrdiff_t>(sector * rings);
-    WidenRow({first, first + static_cast<std::ptrdiff_t>(rings)}, by, false, wide);
-    std::copy(wide.begin(), wide.end(), first);
+    line.push_back(tops[first + i * stride]);
   }
-}
-
-void EchoMask::WidenSectors(std::size_t ring, int by)
-{
-  std::vector<std::uint8_t> circle;
-  std::vector<std::uint8_t> wide;
-  for (std::size_t sector = 0; sector < static_cast<std::size_t>(sectors); ++sector)
+  line = WidenRow(line, by, circle);
+  for (std::size_t i = 0; i < count; ++i)
   {
-    circle.push_back(tops[sector * rings + ring]);
-  }
-  WidenRow(circle, by, true, wide);
-  for (std::size_t sector = 0; sector < static_cast<std::size_t>(sectors); ++sector)
-  {
-    tops[sector * rings + ring] = wide[sector];
+    tops[first + i * stride] = line[i];
   }
 }
 

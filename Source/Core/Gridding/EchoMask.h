@@ -35,9 +35,8 @@ public:
   }
 
 private:
-  void Widen(double distance, float widestGap);
-  void WidenRings(int by);
-  void WidenSectors(std::size_t ring, int by);
+  // The cells from `first` on, `stride` apart.
+  void WidenLine(std::size_t first, std::size_t stride, std::size_t count, int by, bool circle);
 
   std::size_t rings = 0;
   float ringsPerTangent = 0.0F;

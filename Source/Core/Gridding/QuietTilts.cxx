@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Gridding/QuietTilts.h"
 
-#include "nexrad/Gridding/SweepPlace.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -42,70 +40,6 @@ bool CountsInFull(const TiltObservation& observation, const SamplingContext& con
   return FadeOf(-observation.Begin(), context.gap) >= 1.0F &&
          FadeOf(observation.End(), context.gap) >= 1.0F;
 }
-
-} // namespace
-
-QuietTilt FindQuiet(const BeamTilt& tilt, const SamplingContext& context)
-{
-  QuietTilt quiet;
-  float lowest = tilt.elevation;
-  for (const std::vector<TiltObservation>* side : {&tilt.before, &tilt.after})
-  {
-    for (const TiltObservation& observation : *side)
-    {
-      lowest = std::min(lowest, observation.lower->elevation);
-    }
-  }
-  quiet.elevation = ElevationCode(lowest);
-  if (context.ages)
-  {
-    return quiet;
-  }
-  const bool hasBefore = !tilt.before.empty();
-  const bool hasAfter = !tilt.after.empty();
-  const TiltObservation& before = (hasBefore ? tilt.before : tilt.after).front();
-  const TiltObservation& after = (hasAfter ? tilt.after : tilt.before).front();
-  if (!before.IsWhole(!hasBefore) || !after.IsWhole(hasAfter) || !CountsInFull(before, context) ||
-      !CountsInFull(after, context))
-  {
-    return quiet;
-  }
-  quiet.before = before.lower;
-  quiet.after = after.lower;
-  quiet.alone = !hasBefore || !hasAfter;
-  const auto first = [&context](const BeamSweep& sweep) { return FirstTangent(sweep, context); };
-  const auto last = [&context](const BeamSweep& sweep) { return LastTangent(sweep, context); };
-  quiet.nearest = (1.0F + tangentMargin) * std::max(first(*quiet.before), first(*quiet.after));
-  quiet.farthest = (1.0F - tangentMargin) * std::min(last(*quiet.before), last(*quiet.after));
-  return quiet;
-}
-
-std::optional<TiltSample> SampleQuiet(
-  const QuietTilt& quiet, const ColumnDirection& column, const SamplingContext& context)
-{
-  const float t = column.halfTangent;
-  const bool inside = t > quiet.nearest && t < quiet.farthest;
-  const bool nothingBeyond = t > quiet.farthest * (1.0F + 4.0F * tangentMargin) &&
-                             quiet.before != nullptr && !quiet.alone &&
-                             BeyondReach(*quiet.before, column, context) == VoxelState::NoEcho &&
-                             BeyondReach(*quiet.after, column, context) == VoxelState::NoEcho;
-  if (quiet.before == nullptr || !(inside || nothingBeyond))
-  {
-    return std::nullopt;
-  }
-  const float before = ElevationOf(*quiet.before, FindRays(*quiet.before, column.azimuth));
-  const float after = ElevationOf(*quiet.after, FindRays(*quiet.after, column.azimuth));
-  TiltSample sample;
-  sample.state = VoxelState::NoEcho;
-  sample.assumed = !inside;
-  sample.lowest = std::min(before, after);
-  sample.highest = std::max(before, after);
-  sample.fade = 1.0F;
-  return sample;
-}
-
-namespace
-{
 
 // tan(γ/2) at which a sweep passes the height up to which weather reaches: t of
 // (tan e + t) 2t/(1 + t²) = ceiling.
@@ -215,6 +149,65 @@ std::vector<float> LimitsOf(const std::vector<TiltLimits>& tilts)
 }
 
 } // namespace
+
+QuietTilt FindQuiet(const BeamTilt& tilt, const SamplingContext& context)
+{
+  QuietTilt quiet;
+  float lowest = tilt.elevation;
+  for (const std::vector<TiltObservation>* side : {&tilt.before, &tilt.after})
+  {
+    for (const TiltObservation& observation : *side)
+    {
+      lowest = std::min(lowest, observation.lower->elevation);
+    }
+  }
+  quiet.elevation = ElevationCode(lowest);
+  if (context.ages)
+  {
+    return quiet;
+  }
+  const bool hasBefore = !tilt.before.empty();
+  const bool hasAfter = !tilt.after.empty();
+  const TiltObservation& before = (hasBefore ? tilt.before : tilt.after).front();
+  const TiltObservation& after = (hasAfter ? tilt.after : tilt.before).front();
+  if (!before.IsWhole(!hasBefore) || !after.IsWhole(hasAfter) || !CountsInFull(before, context) ||
+      !CountsInFull(after, context))
+  {
+    return quiet;
+  }
+  quiet.before = before.lower;
+  quiet.after = after.lower;
+  quiet.alone = !hasBefore || !hasAfter;
+  quiet.nearest = (1.0F + tangentMargin) * std::max(FirstTangent(*quiet.before, context),
+                                             FirstTangent(*quiet.after, context));
+  quiet.farthest = (1.0F - tangentMargin) * std::min(LastTangent(*quiet.before, context),
+                                              LastTangent(*quiet.after, context));
+  return quiet;
+}
+
+std::optional<TiltSample> SampleQuiet(
+  const QuietTilt& quiet, const ColumnDirection& column, const SamplingContext& context)
+{
+  const float t = column.halfTangent;
+  const bool inside = t > quiet.nearest && t < quiet.farthest;
+  const bool nothingBeyond = t > quiet.farthest * (1.0F + 4.0F * tangentMargin) &&
+                             quiet.before != nullptr && !quiet.alone &&
+                             BeyondReach(*quiet.before, column, context) == VoxelState::NoEcho &&
+                             BeyondReach(*quiet.after, column, context) == VoxelState::NoEcho;
+  if (quiet.before == nullptr || !(inside || nothingBeyond))
+  {
+    return std::nullopt;
+  }
+  const float before = ElevationOf(*quiet.before, FindRays(*quiet.before, column.azimuth));
+  const float after = ElevationOf(*quiet.after, FindRays(*quiet.after, column.azimuth));
+  TiltSample sample;
+  sample.state = VoxelState::NoEcho;
+  sample.assumed = !inside;
+  sample.lowest = std::min(before, after);
+  sample.highest = std::max(before, after);
+  sample.fade = 1.0F;
+  return sample;
+}
 
 QuietZones::QuietZones(const std::vector<BeamTilt>& ofRadar, const std::vector<QuietTilt>& quiet,
   const SamplingContext& context)

@@ -15,8 +15,6 @@ struct MotionOptions
   double spacing = 20'000.0;    ///< m between nodes of the motion field, at most; above 0
   double finestPixel = 2'000.0; ///< m, no image is halved beyond; above 0
   double maximumSpeed = 50.0;   ///< m/s, no motion is faster; above 0
-  double smoothness = 0.2; ///< (dBZ/km)², how much a difference between neighbouring nodes costs
-                           ///< beside the slopes of the echo; above 0
 };
 
 /// Two images of one radar, or of one merge, at two times. Not owned.
@@ -25,6 +23,7 @@ struct MotionPair
   const MotionPyramid* before = nullptr;
   const MotionPyramid* after = nullptr; ///< of the same sizes
   double seconds = 0.0;                 ///< between them, above 0
+  double start = 0.0;                   ///< s since 1970, of the first one
 };
 
 /// Finds the one motion of the echo (Formulas A3) that fits pairs of images of column maxima over
@@ -32,77 +31,21 @@ struct MotionPair
 /// displacement that fits all; then, from pixels of about 8 km to pixels of about 2 km, the
 /// displacement at each node that makes half of it forwards from the first image and half of it
 /// backwards from the second meet, least squares with little weight for echo that grew or decayed,
-/// and as smooth as `smoothness` asks. Where there is no echo the field continues that of the
-/// neighbours; without any echo, and without pairs, nothing moves. Throws Error when an option is
-/// not above 0.
+/// and smooth. Where there is no echo the field continues that of the neighbours; without any echo,
+/// and without pairs, nothing moves. Throws Error as MakeMotionLattice does.
 MotionField EstimateMotion(const std::vector<MotionPair>& pairs, const GridSpecification& grid,
   const MotionOptions& options = {});
 
-/// m towards east and north, in the mean time between the images of the pairs.
-using Displacement = std::array<double, 2>;
+/// A part of a grid: its west, east, south and north faces, in x and y of the grid.
+using GridArea = std::array<double, 4>;
 
-/// Two images of the same size. Not owned.
-struct ImagePair
-{
-  const MotionImage* before = nullptr;
-  const MotionImage* after = nullptr;
-  double part = 1.0; ///< time between them, as a part of the mean over the pairs
-};
-
-/// The displacement that, the same for all pixels of all pairs, brings the second images closest to
-/// the first: the least mean square difference over the pixels that both have, of all whole pixels
-/// up to `farthest` m. Displacements that leave less than half of what no displacement has to
-/// compare do not count.
-Displacement SearchDisplacement(
-  const std::vector<ImagePair>& pairs, const GridSpecification& grid, double farthest);
-
-/// Displacements at the nodes of a lattice, improved image by image from coarse to fine.
-class MotionSolver
-{
-public:
-  /// Starts from `prevailing` everywhere; no displacement will be longer than `farthest` m.
-  MotionSolver(const GridSpecification& grid, const MotionOptions& options,
-    const Displacement& prevailing, double farthest);
-
-  /// Improves the displacements by what the images say (Gauss–Newton).
-  void Refine(const std::vector<ImagePair>& pairs);
-
-  /// The displacements as motion; `seconds` is the mean time.
-  MotionField Motion(double seconds) const;
-
-private:
-  // What the pixels about a node ask of its displacement: the sums of least squares, per pixel.
-  struct Demand
-  {
-    double xx = 0.0, xy = 0.0, yy = 0.0; // (dBZ/m)²
-    double x = 0.0, y = 0.0;             // dBZ²/m
-    double pixels = 0.0;
-  };
-
-  // A pixel about which one of two images has echo, or may have within the farthest way.
-  struct EchoPixel
-  {
-    int column;
-    int row;
-    MotionLattice::Corners corners;
-  };
-
-  std::vector<EchoPixel> FindEcho(const ImagePair& pair) const;
-  void CountPixels(const MotionImage& image, std::vector<Demand>& demands) const;
-  void AddDemands(const ImagePair& pair, const std::vector<EchoPixel>& pixels,
-    std::vector<Demand>& demands) const;
-  void FindPrevailing(const std::vector<Demand>& demands);
-  void Solve(const std::vector<Demand>& demands);
-  void Relax(const std::vector<Demand>& demands, int column, int row);
-  Displacement At(const MotionLattice::Corners& corners) const;
-
-  const GridSpecification grid;
-  const MotionLattice lattice;
-  const double stiffness; // (dBZ/m)²
-  const double farthest;
-  Displacement prevailing;                 // that nodes without echo are held near to
-  std::vector<Displacement> displacements; // at the nodes
-  std::vector<Displacement> previous;      // about which the images were compared
-};
+/// The one motion of the echo that is in an area of a grid at a time, s since 1970 (Formulas A3),
+/// m/s: the displacement that brings the echo of the area in the first images closest to the second
+/// images, as EstimateMotion does for each node of a whole grid. It is searched from `first` on,
+/// which is known from the echo about the area, by steps of Gauss and Newton on the finest images;
+/// without echo in the area it stays `first`. There is at least one pair.
+Velocity EstimateMotionWithin(const GridArea& area, double time,
+  const std::vector<MotionPair>& pairs, const GridSpecification& grid, const Velocity& first,
+  const MotionOptions& options = {});
 
 } // namespace nexrad

@@ -57,11 +57,6 @@ MotionLattice::Corners MotionLattice::Around(double column, double row) const
   return corners;
 }
 
-std::size_t MotionLattice::NodeCount() const
-{
-  return static_cast<std::size_t>(nodes[0]) * static_cast<std::size_t>(nodes[1]);
-}
-
 MotionLattice MakeMotionLattice(const GridSpecification& grid, double spacing)
 {
   if (!(spacing > 0.0))
@@ -85,13 +80,6 @@ MotionLattice MakeMotionLattice(const GridSpecification& grid, double spacing)
     lattice.step[axis] = last > 0 ? last / intervals : 1.0;
   }
   return lattice;
-}
-
-MotionField MotionField::Constant(const Velocity& velocity)
-{
-  MotionField field;
-  field.velocities = {velocity};
-  return field;
 }
 
 Velocity MotionField::At(double column, double row) const

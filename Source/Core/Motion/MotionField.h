@@ -40,7 +40,10 @@ struct MotionLattice
   };
   Corners Around(double column, double row) const;
 
-  std::size_t NodeCount() const;
+  std::size_t NodeCount() const
+  {
+    return static_cast<std::size_t>(nodes[0]) * static_cast<std::size_t>(nodes[1]);
+  }
 };
 
 /// The lattice whose nodes lie at most `spacing` m apart. Throws Error when the spacing is not
@@ -54,7 +57,7 @@ struct MotionField
   std::vector<Velocity> velocities = {Velocity{}}; ///< at the nodes, x fastest
 
   /// The same motion everywhere, on any grid.
-  static MotionField Constant(const Velocity& velocity);
+  static MotionField Constant(const Velocity& velocity) { return {MotionLattice{}, {velocity}}; }
 
   /// Motion at a voxel; fractions count.
   Velocity At(double column, double row) const;

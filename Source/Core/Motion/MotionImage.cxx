@@ -16,17 +16,6 @@ namespace
 constexpr double coarsestPixel = 8'000.0; // m
 constexpr int fewestPixels = 8;           // along an axis
 
-MotionImage EmptyImage(int columns, int rows)
-{
-  MotionImage image;
-  image.columns = columns;
-  image.rows = rows;
-  const auto pixels = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
-  image.values.assign(pixels, 0.0F);
-  image.scanned.assign(pixels, 0);
-  return image;
-}
-
 // A weighted mean over those pixels that lie in the image and were scanned.
 class PixelMean
 {
@@ -72,9 +61,17 @@ bool CanHalve(const MotionImage& image, const GridSpecification& grid, double li
 
 } // namespace
 
+MotionImage::MotionImage(int theColumns, int theRows)
+  : columns(theColumns)
+  , rows(theRows)
+  , values(this->Index(0, rows), 0.0F)
+  , scanned(this->Index(0, rows), 0)
+{
+}
+
 MotionImage Smooth(const MotionImage& image)
 {
-  MotionImage smooth = EmptyImage(image.columns, image.rows);
+  MotionImage smooth(image.columns, image.rows);
   smooth.first = image.first;
   smooth.scale = image.scale;
   for (int row = 0; row < image.rows; ++row)
@@ -102,7 +99,7 @@ MotionImage Smooth(const MotionImage& image)
 
 MotionImage Halve(const MotionImage& image)
 {
-  MotionImage half = EmptyImage((image.columns + 1) / 2, (image.rows + 1) / 2);
+  MotionImage half((image.columns + 1) / 2, (image.rows + 1) / 2);
   half.first = image.first;
   half.scale = {2.0 * image.scale[0], 2.0 * image.scale[1]};
   for (int row = 0; row < half.rows; ++row)

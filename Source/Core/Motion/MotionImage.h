@@ -23,6 +23,10 @@ struct MotionImage
   std::vector<float> values;                ///< dBZ, at least 0; no echo is 0
   std::vector<std::uint8_t> scanned;        ///< 0 where no voxel of the column was scanned
 
+  MotionImage() = default;
+  /// An image of which nothing was scanned.
+  MotionImage(int columns, int rows);
+
   std::size_t Index(int column, int row) const
   {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +

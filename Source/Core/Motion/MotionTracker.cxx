@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Motion/MotionTracker.h"
 
-#include "nexrad/Model/SiteKey.h"
-#include "nexrad/Motion/MotionInterval.h"
+#include "nexrad/Model/Site.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +22,9 @@ constexpr double imageReach = 240'000.0; // m
 // Two volumes are compared as wholes when this part of the echo of each lies on tilts of the other.
 constexpr double leastShared = 0.75;
 constexpr float halfBeam = 0.5F; // degrees between tilts that see nearly the same
+// Shortest time between two volumes of one radar that gives the motion of the echo in full: from a
+// shorter one, a small error of the displacement is a large one of the speed.
+constexpr double shortestInterval = 180.0; // s
 
 // The box of a grid in pixels of at most imagePixel.
 GridSpecification PixelsOf(const GridSpecification& grid)
@@ -40,70 +42,56 @@ GridSpecification PixelsOf(const GridSpecification& grid)
   return pixels;
 }
 
-// The composite of a volume at one place: bilinear between the middles of its cells.
-class CompositeSampler
+// The composite of a volume in a direction: bilinear between the middles of its cells. Leaves value
+// and mark as they are where it was not scanned.
+void SampleComposite(const VolumeComposite& composite, double ringsPerTangent,
+  const ColumnDirection& direction, float& value, std::uint8_t& scanned)
 {
-public:
-  CompositeSampler(const VolumeComposite& source, double effectiveRadius)
-    : composite(source)
-    , ringsPerTangent(2.0 * effectiveRadius / static_cast<double>(VolumeComposite::RingWidth))
+  const double t = static_cast<double>(direction.halfTangent);
+  const auto ring =
+    static_cast<float>(std::max(0.0, ringsPerTangent * t * (1.0 - t * t / 3.0) - 0.5));
+  const auto inner = static_cast<int>(ring);
+  if (inner + 1 >= composite.rings)
   {
+    return;
   }
-
-  void Sample(const ColumnDirection& direction, float& value, std::uint8_t& scanned) const
+  const float turned = direction.azimuth + (static_cast<float>(VolumeComposite::Sectors) - 0.5F);
+  const auto sector = static_cast<int>(turned);
+  const float across = turned - static_cast<float>(sector);
+  const float along = ring - static_cast<float>(inner);
+  const std::size_t left = composite.Index(sector % VolumeComposite::Sectors, inner);
+  const std::size_t right = composite.Index((sector + 1) % VolumeComposite::Sectors, inner);
+  for (const std::size_t cell : {left, left + 1, right, right + 1})
   {
-    const double t = static_cast<double>(direction.halfTangent);
-    const auto ring =
-      static_cast<float>(std::max(0.0, ringsPerTangent * t * (1.0 - t * t / 3.0) - 0.5));
-    const auto inner = static_cast<int>(ring);
-    if (inner + 1 >= composite.rings)
+    if (composite.cells[cell] == VolumeComposite::Cell::NotScanned)
     {
       return;
     }
-    const float turned = direction.azimuth + (static_cast<float>(VolumeComposite::Sectors) - 0.5F);
-    const auto sector = static_cast<int>(turned);
-    const float across = turned - static_cast<float>(sector);
-    const float along = ring - static_cast<float>(inner);
-    const std::size_t left = composite.Index(sector % VolumeComposite::Sectors, inner);
-    const std::size_t right = composite.Index((sector + 1) % VolumeComposite::Sectors, inner);
-    const auto missing = [this](std::size_t cell)
-    { return composite.cells[cell] == VolumeComposite::Cell::NotScanned; };
-    if (missing(left) || missing(left + 1) || missing(right) || missing(right + 1))
-    {
-      return;
-    }
-    const auto mean = [&](std::size_t cell) {
-      return composite.values[cell] + along * (composite.values[cell + 1] - composite.values[cell]);
-    };
-    value = mean(left) + across * (mean(right) - mean(left));
-    scanned = 1;
   }
-
-private:
-  const VolumeComposite& composite;
-  const double ringsPerTangent;
-};
+  const auto mean = [&](std::size_t cell) {
+    return composite.values[cell] + along * (composite.values[cell + 1] - composite.values[cell]);
+  };
+  value = mean(left) + across * (mean(right) - mean(left));
+  scanned = 1;
+}
 
 // The composite on the pixels that the radar's geometry covers.
 MotionImage MakeImage(const VolumeComposite& composite, const SiteGeometry& geometry,
   const std::array<double, 2>& voxelsPerPixel, double effectiveRadius)
 {
-  MotionImage image;
-  image.columns = geometry.EndX() - geometry.BeginX();
-  image.rows = geometry.EndY() - geometry.BeginY();
+  const double ringsPerTangent =
+    2.0 * effectiveRadius / static_cast<double>(VolumeComposite::RingWidth);
+  MotionImage image(geometry.EndX() - geometry.BeginX(), geometry.EndY() - geometry.BeginY());
   image.scale = voxelsPerPixel;
   image.first = {geometry.BeginX() * voxelsPerPixel[0], geometry.BeginY() * voxelsPerPixel[1]};
-  const auto size = static_cast<std::size_t>(image.columns) * static_cast<std::size_t>(image.rows);
-  image.values.assign(size, 0.0F);
-  image.scanned.assign(size, 0);
-  const CompositeSampler sampler(composite, effectiveRadius);
   for (int row = 0; row < image.rows; ++row)
   {
     const ColumnDirection* directions = geometry.Row(geometry.BeginY() + row);
     for (int column = 0; column < image.columns; ++column)
     {
       const std::size_t index = image.Index(column, row);
-      sampler.Sample(directions[column], image.values[index], image.scanned[index]);
+      SampleComposite(
+        composite, ringsPerTangent, directions[column], image.values[index], image.scanned[index]);
     }
   }
   return image;
@@ -112,11 +100,6 @@ MotionImage MakeImage(const VolumeComposite& composite, const SiteGeometry& geom
 Time MiddleOf(const BeamVolume& volume)
 {
   return volume.start + (volume.end - volume.start) / 2;
-}
-
-double SecondsOf(Duration duration)
-{
-  return std::chrono::duration<double>(duration).count();
 }
 
 // The part of the echo of a composite that lies on tilts of another one, 0…1.
@@ -147,11 +130,6 @@ Velocity Slowed(const Velocity& velocity, double part)
 // is too short, its distance from the time of the merge, and how far its volumes are apart.
 using PairRank = std::tuple<double, Duration, double>;
 
-PairRank RankOf(double timeBase, Duration away)
-{
-  return {std::max(0.0, SecondsOf(ShortestMotionInterval) - timeBase), away, timeBase};
-}
-
 } // namespace
 
 MotionTracker::MotionTracker(const GridSpecification& theGrid, const BeamModel& theBeam)
@@ -161,31 +139,6 @@ MotionTracker::MotionTracker(const GridSpecification& theGrid, const BeamModel& 
 {
   options.finestPixel = finestPixel;
   options.spacing = spacing;
-}
-
-const VolumeComposite& MotionTracker::Picture::Composite() const
-{
-  return lowest ? volume->lowest : volume->composite;
-}
-
-bool MotionTracker::Picture::operator==(const Picture& other) const
-{
-  return volume == other.volume && lowest == other.lowest;
-}
-
-double MotionTracker::Pair::Seconds() const
-{
-  return after.Composite().echoTime - before.Composite().echoTime;
-}
-
-double MotionTracker::Pair::TimeBase() const
-{
-  return before.lowest ? 0.5 * this->Seconds() : this->Seconds();
-}
-
-bool MotionTracker::Pair::operator==(const Pair& other) const
-{
-  return before == other.before && after == other.after;
 }
 
 std::vector<MotionTracker::Pair> MotionTracker::FindPairs(const BeamVolumes& volumes, Time time)
@@ -228,7 +181,8 @@ std::optional<MotionTracker::Pair> MotionTracker::FindPair(BeamVolumes own, Time
       }
       const Duration away =
         std::max({MiddleOf(*own[i]) - time, time - MiddleOf(*own[j]), Duration::zero()});
-      const PairRank rank = RankOf(pair->TimeBase(), away);
+      const double timeBase = pair->TimeBase();
+      const PairRank rank = {std::max(0.0, shortestInterval - timeBase), away, timeBase};
       if (!best || rank <= least)
       {
         best = pair;
@@ -249,7 +203,8 @@ std::optional<MotionTracker::Pair> MotionTracker::Compare(const Volume& before, 
     return std::nullopt;
   }
   const double seconds = pair.Seconds();
-  const bool near = seconds > 0.0 && seconds <= SecondsOf(LongestMotionInterval);
+  const double longest = std::chrono::duration<double>(LongestMotionInterval).count();
+  const bool near = seconds > 0.0 && seconds <= longest;
   return near ? std::optional<Pair>(pair) : std::nullopt;
 }
 
@@ -261,22 +216,7 @@ double MotionTracker::TrustIn(const std::vector<Pair>& pairs)
   {
     squares += pair.TimeBase() * pair.TimeBase();
   }
-  const double enough = SecondsOf(ShortestMotionInterval);
-  return std::min(1.0, squares / (enough * enough));
-}
-
-const SiteGeometry& MotionTracker::GeometryOf(const Position& position)
-{
-  for (const KeptGeometry& each : geometries)
-  {
-    if (each.position.latitude == position.latitude &&
-        each.position.longitude == position.longitude)
-    {
-      return each.geometry;
-    }
-  }
-  geometries.push_back({position, SiteGeometry(pixels, position, imageReach, beam)});
-  return geometries.back().geometry;
+  return std::min(1.0, squares / (shortestInterval * shortestInterval));
 }
 
 void MotionTracker::MakeImages(const BeamVolumes& volumes, const RangeLoop& loop)
@@ -298,31 +238,41 @@ void MotionTracker::MakeImages(const BeamVolumes& volumes, const RangeLoop& loop
       if (std::none_of(next.begin(), next.end(), same))
       {
         next.push_back({picture, MotionPyramid()});
-        this->GeometryOf(*picture.volume->site.position); // made before several threads ask
+        const Position& position = *picture.volume->site.position;
+        geometries.try_emplace(
+          {position.latitude, position.longitude}, pixels, position, imageReach, beam);
       }
     }
   }
   const std::array<double, 2> voxelsPerPixel = {
     pixels.spacing[0] / grid.spacing[0], pixels.spacing[1] / grid.spacing[1]};
-  const auto make = [&](int begin, int end)
-  {
-    for (int i = begin; i < end; ++i)
+  RunEach(loop, next.size() - known,
+    [&](std::size_t i)
     {
-      KeptPyramid& to = next[known + static_cast<std::size_t>(i)];
-      const SiteGeometry& geometry = this->GeometryOf(*to.picture.volume->site.position);
+      KeptPyramid& to = next[known + i];
+      const Position& position = *to.picture.volume->site.position;
+      const SiteGeometry& geometry = geometries.at({position.latitude, position.longitude});
       to.images = MakePyramid(
         MakeImage(to.picture.Composite(), geometry, voxelsPerPixel, beam.EffectiveRadius()), grid,
         options.finestPixel);
-    }
-  };
-  RunLoop(loop, static_cast<int>(next.size() - known), make);
+    });
   kept = std::move(next);
 }
 
-const MotionPyramid& MotionTracker::ImagesOf(const Picture& picture) const
+std::vector<MotionPair> MotionTracker::ImagesOfPairs() const
 {
-  const auto same = [&picture](const KeptPyramid& each) { return each.picture == picture; };
-  return std::find_if(kept.begin(), kept.end(), same)->images;
+  const auto imagesOf = [this](const Picture& picture)
+  {
+    const auto same = [&picture](const KeptPyramid& each) { return each.picture == picture; };
+    return &std::find_if(kept.begin(), kept.end(), same)->images;
+  };
+  std::vector<MotionPair> images;
+  for (const Pair& pair : pairs)
+  {
+    images.push_back({imagesOf(pair.before), imagesOf(pair.after), pair.Seconds(),
+      pair.before.Composite().echoTime});
+  }
+  return images;
 }
 
 std::shared_ptr<const MotionField> MotionTracker::Find(
@@ -335,11 +285,7 @@ std::shared_ptr<const MotionField> MotionTracker::Find(
   }
   pairs = std::move(wanted);
   this->MakeImages(volumes, loop);
-  std::vector<MotionPair> images;
-  for (const Pair& pair : pairs)
-  {
-    images.push_back({&this->ImagesOf(pair.before), &this->ImagesOf(pair.after), pair.Seconds()});
-  }
+  const std::vector<MotionPair> images = this->ImagesOfPairs();
   motion = nullptr;
   if (!images.empty())
   {
@@ -361,17 +307,13 @@ std::optional<Velocity> MotionTracker::FindWithin(
   {
     return std::nullopt;
   }
-  std::vector<AreaPair> images;
-  for (const Pair& pair : pairs)
-  {
-    images.push_back({{&this->ImagesOf(pair.before), &this->ImagesOf(pair.after), pair.Seconds()},
-      ToSeconds(time) - pair.before.Composite().echoTime});
-  }
   const double column = (0.5 * (area[0] + area[1]) - grid.origin[0]) / grid.spacing[0];
   const double row = (0.5 * (area[2] + area[3]) - grid.origin[1]) / grid.spacing[1];
   const double trust = TrustIn(pairs);
   const Velocity first = Slowed(field->At(column, row), 1.0 / trust);
-  return Slowed(EstimateMotionWithin(area, images, grid, first, options), trust);
+  const Velocity found =
+    EstimateMotionWithin(area, ToSeconds(time), this->ImagesOfPairs(), grid, first, options);
+  return Slowed(found, trust);
 }
 
 } // namespace nexrad

@@ -2,16 +2,20 @@
 #pragma once
 
 #include "nexrad/Beams/BeamVolume.h"
-#include "nexrad/Motion/AreaMotion.h"
 #include "nexrad/Motion/MotionEstimate.h"
 #include "nexrad/System/RangeLoop.h"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
 namespace nexrad
 {
+
+/// Longest time between two volumes of one radar from which the motion of the echo is estimated
+/// (Formulas A3a).
+constexpr Duration LongestMotionInterval = std::chrono::minutes(20);
 
 /// Finds the motion of the echo for the merges of one run (Formulas A3a): at a time, the one motion
 /// that fits two volumes of each radar with echo: of those far enough apart in time the nearest to
@@ -45,27 +49,30 @@ private:
     Volume volume;
     bool lowest = false;
 
-    const VolumeComposite& Composite() const;
-    bool operator==(const Picture& other) const;
+    const VolumeComposite& Composite() const { return lowest ? volume->lowest : volume->composite; }
+    bool operator==(const Picture& other) const
+    {
+      return volume == other.volume && lowest == other.lowest;
+    }
   };
   struct Pair
   {
     Picture before;
     Picture after;
 
-    double Seconds() const;  // between their echo
-    double TimeBase() const; // s, less where one tilt alone is compared
-    bool operator==(const Pair& other) const;
+    // Between their echo.
+    double Seconds() const { return after.Composite().echoTime - before.Composite().echoTime; }
+    // s, less where one tilt alone is compared.
+    double TimeBase() const { return before.lowest ? 0.5 * this->Seconds() : this->Seconds(); }
+    bool operator==(const Pair& other) const
+    {
+      return before == other.before && after == other.after;
+    }
   };
   struct KeptPyramid
   {
     Picture picture;
     MotionPyramid images;
-  };
-  struct KeptGeometry
-  {
-    Position position;
-    SiteGeometry geometry; // on the images' pixels
   };
 
   static std::vector<Pair> FindPairs(const BeamVolumes& volumes, Time time);
@@ -73,14 +80,13 @@ private:
   static std::optional<Pair> Compare(const Volume& before, const Volume& after);
   static double TrustIn(const std::vector<Pair>& pairs);
   void MakeImages(const BeamVolumes& volumes, const RangeLoop& loop);
-  const SiteGeometry& GeometryOf(const Position& position);
-  const MotionPyramid& ImagesOf(const Picture& picture) const;
+  std::vector<MotionPair> ImagesOfPairs() const;
 
   const GridSpecification grid;
   const GridSpecification pixels; // the same box in pixels of the images
   const BeamModel beam;
   MotionOptions options;
-  std::vector<KeptGeometry> geometries;
+  std::map<std::array<double, 2>, SiteGeometry> geometries; // by latitude and longitude
   std::vector<KeptPyramid> kept;
   std::vector<Pair> pairs; // of the call before
   std::shared_ptr<const MotionField> motion;

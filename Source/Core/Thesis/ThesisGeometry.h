@@ -2,7 +2,6 @@
 #pragma once
 
 #include "nexrad/Grid/GridSpecification.h"
-#include "nexrad/Grid/VoxelBlock.h"
 #include "nexrad/Model/Site.h"
 
 #include <array>

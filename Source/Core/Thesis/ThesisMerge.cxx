@@ -17,67 +17,10 @@ namespace nexrad
 namespace
 {
 
-// One column in the array: every `stride`-th value.
-struct Column
-{
-  float* first;
-  std::size_t stride;
-
-  float& At(std::size_t level) const { return first[level * stride]; }
-};
-
-void FillColumn(const Column& column, std::size_t levels)
-{
-  std::size_t next = 0; // lowest level not yet dealt with
-  for (std::size_t level = 0; level < levels; ++level)
-  {
-    const float value = column.At(level);
-    if (std::isnan(value))
-    {
-      continue;
-    }
-    const bool lowest = next == 0;
-    const float below = lowest ? value : column.At(next - 1);
-    const auto gap = static_cast<float>(level - next + 1);
-    for (std::size_t empty = next; empty < level; ++empty)
-    {
-      const float part = static_cast<float>(empty - next + 1) / gap;
-      column.At(empty) = lowest ? value : below + part * (value - below);
-    }
-    next = level + 1;
-  }
-}
-
-} // namespace
-
-void FillColumns(std::vector<float>& values, const std::array<int, 3>& dimensions,
-  std::size_t begin, std::size_t end)
-{
-  const auto stride =
-    static_cast<std::size_t>(dimensions[0]) * static_cast<std::size_t>(dimensions[1]);
-  for (std::size_t column = begin; column < end; ++column)
-  {
-    FillColumn({values.data() + column, stride}, static_cast<std::size_t>(dimensions[2]));
-  }
-}
-
-namespace
-{
-
 constexpr float smallest = 0.0F;                                     // dBZ (T5)
 constexpr float largest = 80.0F;                                     // dBZ (T5)
 constexpr float uncounted = std::numeric_limits<float>::quiet_NaN(); // a gate that tells nothing
 constexpr double beamWidth = 0.95;                                   // degrees (B4)
-
-// T5: the value with which a gate enters the mean.
-float LimitedValue(const GateScale& scale, std::uint16_t code)
-{
-  if (code >= GateCode::FirstValue)
-  {
-    return std::clamp(scale.ValueOf(code), smallest, largest);
-  }
-  return code == GateCode::NoEcho ? smallest : uncounted;
-}
 
 // A ray with its codes read.
 class RayGates
@@ -91,7 +34,14 @@ public:
   }
   void Clear() { sweep = nullptr; }
 
-  float At(std::size_t gate) const { return LimitedValue(sweep->scale, codes[gate]); }
+  // T5: the value with which a gate enters the mean.
+  float At(std::size_t gate) const
+  {
+    const std::uint16_t code = codes[gate];
+    return code >= GateCode::FirstValue ? std::clamp(sweep->scale.ValueOf(code), smallest, largest)
+           : code == GateCode::NoEcho   ? smallest
+                                        : uncounted;
+  }
 
   // Of the gate at a slant range, m.
   float Nearest(double slantRange) const
@@ -164,46 +114,6 @@ private:
   std::vector<std::uint32_t> counts;
 };
 
-// Neighbouring gates mostly fall into the same voxel: they are summed here and handed on together.
-class RunOfGates
-{
-public:
-  explicit RunOfGates(Accumulator& target)
-    : accumulator(target)
-  {
-  }
-  ~RunOfGates() { this->HandOn(); }
-  RunOfGates(const RunOfGates&) = delete;
-  RunOfGates& operator=(const RunOfGates&) = delete;
-
-  void Add(std::ptrdiff_t where, float value)
-  {
-    if (where != voxel)
-    {
-      this->HandOn();
-      voxel = where;
-    }
-    sum += static_cast<double>(value);
-    ++count;
-  }
-
-private:
-  void HandOn()
-  {
-    if (voxel >= 0)
-    {
-      accumulator.Add(voxel, sum, count);
-    }
-    sum = 0.0;
-    count = 0;
-  }
-
-  Accumulator& accumulator;
-  std::ptrdiff_t voxel = -1;
-  double sum = 0.0;
-  std::uint32_t count = 0;
-};
-
 // Drops the samples of one sweep into the voxels.
 class SweepDropper
 {
@@ -240,7 +150,19 @@ private:
   {
     const ThesisRay geometry(static_cast<double>(direction.azimuth),
       static_cast<double>(direction.elevation), position.altitude);
-    RunOfGates run(accumulator);
+    // Neighbouring gates mostly fall into the same voxel: they are summed and handed on together.
+    std::ptrdiff_t voxel = -1;
+    double sum = 0.0;
+    std::uint32_t count = 0;
+    const auto handOn = [&]
+    {
+      if (voxel >= 0)
+      {
+        accumulator.Add(voxel, sum, count);
+      }
+      sum = 0.0;
+      count = 0;
+    };
     for (std::size_t gate = 0; gate < sweep.gates; ++gate)
     {
       const double slantRange = sweep.firstGate + static_cast<double>(gate) * sweep.gateSpacing;
@@ -248,9 +170,17 @@ private:
       // A gate before the antenna is an artefact of the receiver's delay.
       if (slantRange >= 0.0 && !std::isnan(value))
       {
-        run.Add(cells.Find(geometry.Locate(slantRange)), value);
+        const std::ptrdiff_t where = cells.Find(geometry.Locate(slantRange));
+        if (where != voxel)
+        {
+          handOn();
+          voxel = where;
+        }
+        sum += static_cast<double>(value);
+        ++count;
       }
     }
+    handOn();
   }
 
   const Position& position;
@@ -265,14 +195,6 @@ struct SweepTask
   const PolarSweep* partner; // nullptr: as it is
 };
 
-void AppendSweeps(std::vector<SweepTask>& tasks, const PolarVolume& volume)
-{
-  for (const PolarSweep& sweep : volume.sweeps)
-  {
-    tasks.push_back({&sweep, nullptr});
-  }
-}
-
 // Sweeps of one side alone (after a change of the coverage pattern, or from a file cut short) go
 // in unchanged, as a volume without a partner does.
 std::vector<SweepTask> SweepsOf(const SiteBracket& site)
@@ -280,7 +202,10 @@ std::vector<SweepTask> SweepsOf(const SiteBracket& site)
   std::vector<SweepTask> tasks;
   if (site.before == nullptr || site.after == nullptr)
   {
-    AppendSweeps(tasks, site.before != nullptr ? *site.before : *site.after);
+    for (const PolarSweep& sweep : site.Any().sweeps)
+    {
+      tasks.push_back({&sweep, nullptr});
+    }
     return tasks;
   }
   const auto pairs = PairSweeps(*site.before, *site.after);
@@ -314,27 +239,6 @@ double FarthestGate(const std::vector<SweepTask>& tasks)
   return farthest;
 }
 
-// The sites that have a volume, each with its position checked.
-std::vector<SiteBracket> PresentSites(const std::vector<SiteBracket>& sites)
-{
-  std::vector<SiteBracket> present;
-  for (const SiteBracket& site : sites)
-  {
-    for (const PolarVolume* volume : {site.before, site.after})
-    {
-      if (volume != nullptr && !volume->site.position)
-      {
-        throw Error("site \"" + volume->site.name + "\" has no position: it cannot be gridded");
-      }
-    }
-    if (site.before != nullptr || site.after != nullptr)
-    {
-      present.push_back(site);
-    }
-  }
-  return present;
-}
-
 GriddedVolume EmptyVolume(const std::vector<SiteBracket>& sites, const GridSpecification& grid)
 {
   GriddedVolume volume;
@@ -347,7 +251,7 @@ GriddedVolume EmptyVolume(const std::vector<SiteBracket>& sites, const GridSpeci
     {
       volume.synthetic = volume.synthetic || (side != nullptr && side->synthetic);
     }
-    const PolarVolume& any = site.before != nullptr ? *site.before : *site.after;
+    const PolarVolume& any = site.Any();
     volume.sites.push_back(any.site.name);
     volume.sitePositions.push_back(any.site.position.value());
     volume.moment = any.moment;
@@ -378,10 +282,10 @@ std::optional<std::vector<float>> MeansOfSites(const std::vector<SiteBracket>& s
   Accumulator accumulator(block.VoxelCount());
   for (std::size_t i = 0; i < sites.size(); ++i)
   {
-    const PolarVolume& any = sites[i].before != nullptr ? *sites[i].before : *sites[i].after;
+    const Position& position = *sites[i].Any().site.position;
     const std::vector<SweepTask> tasks = SweepsOf(sites[i]);
-    const ThesisCells cells(grid, *any.site.position, FarthestGate(tasks), block);
-    const SweepDropper dropper(*any.site.position, cells, accumulator);
+    const ThesisCells cells(grid, position, FarthestGate(tasks), block);
+    const SweepDropper dropper(position, cells, accumulator);
     const float share = ShareOfAfter(sites[i], time);
     for (std::size_t j = 0; j < tasks.size(); ++j)
     {
@@ -399,6 +303,35 @@ std::optional<std::vector<float>> MeansOfSites(const std::vector<SiteBracket>& s
 
 } // namespace
 
+void FillColumns(std::vector<float>& values, const std::array<int, 3>& dimensions)
+{
+  const auto columns =
+    static_cast<std::size_t>(dimensions[0]) * static_cast<std::size_t>(dimensions[1]);
+  const auto levels = static_cast<std::size_t>(dimensions[2]);
+  for (std::size_t column = 0; column < columns; ++column)
+  {
+    const auto at = [&](std::size_t level) -> float& { return values[level * columns + column]; };
+    std::size_t next = 0; // lowest level not yet dealt with
+    for (std::size_t level = 0; level < levels; ++level)
+    {
+      const float value = at(level);
+      if (std::isnan(value))
+      {
+        continue;
+      }
+      const bool lowest = next == 0;
+      const float below = lowest ? value : at(next - 1);
+      const auto gap = static_cast<float>(level - next + 1);
+      for (std::size_t empty = next; empty < level; ++empty)
+      {
+        const float part = static_cast<float>(empty - next + 1) / gap;
+        at(empty) = lowest ? value : below + part * (value - below);
+      }
+      next = level + 1;
+    }
+  }
+}
+
 std::optional<GriddedVolume> MergeThesis(const std::vector<SiteBracket>& sites,
   const GridSpecification& grid, Time time, const Progress& progress,
   const std::optional<VoxelBlock>& block)
@@ -407,19 +340,20 @@ std::optional<GriddedVolume> MergeThesis(const std::vector<SiteBracket>& sites,
   {
     throw Error("the grid has no voxels: each dimension must be 1 or more");
   }
-  const std::vector<SiteBracket> present = PresentSites(sites);
   const VoxelBlock part = block.value_or(VoxelBlock::Of(grid));
-  GriddedVolume volume = EmptyVolume(present, PartOf(grid, part));
+  GriddedVolume volume = EmptyVolume(sites, PartOf(grid, part));
   // The fill looks along whole columns.
-  const VoxelBlock columns = part.Columns(grid);
-  auto means = MeansOfSites(present, grid, columns, time, progress);
+  VoxelBlock columns = part;
+  columns.begin[2] = 0;
+  columns.end[2] = grid.dimensions[2];
+  auto means = MeansOfSites(sites, grid, columns, time, progress);
   if (!means)
   {
     return std::nullopt;
   }
   const auto plane =
     static_cast<std::size_t>(columns.Size(0)) * static_cast<std::size_t>(columns.Size(1));
-  FillColumns(*means, PartOf(grid, columns).dimensions, 0, plane);
+  FillColumns(*means, PartOf(grid, columns).dimensions);
   const auto levelAt = [&](int level)
   { return means->begin() + static_cast<std::ptrdiff_t>(plane) * level; };
   means->erase(levelAt(part.end[2]), means->end());

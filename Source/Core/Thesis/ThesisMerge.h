@@ -2,7 +2,6 @@
 #pragma once
 
 #include "nexrad/Grid/GriddedVolume.h"
-#include "nexrad/Grid/VoxelBlock.h"
 #include "nexrad/Polar/PolarVolume.h"
 #include "nexrad/System/Progress.h"
 
@@ -15,19 +14,19 @@
 namespace nexrad
 {
 
-/// Fills the gaps of the columns `begin` to `end` − 1 of a grid (Formulas T7): between two known
-/// voxels linearly in height, below the lowest known one with its value; above the highest nothing
-/// is filled. NaN marks a voxel that is not known. A column's number is x + y × width; columns do
-/// not touch each other, so ranges of them can be filled side by side. Throws nothing.
-void FillColumns(std::vector<float>& values, const std::array<int, 3>& dimensions,
-  std::size_t begin, std::size_t end);
+/// Fills the gaps of the columns of a grid (Formulas T7): between two known voxels linearly in
+/// height, below the lowest known one with its value; above the highest nothing is filled. NaN
+/// marks a voxel that is not known.
+void FillColumns(std::vector<float>& values, const std::array<int, 3>& dimensions);
 
-/// The volumes of one site about a time. One of them may be missing (nullptr): the other is then
-/// used unchanged. The volumes are not owned.
+/// The volumes of one site about a time, which has a position. One of them may be missing
+/// (nullptr): the other is then used unchanged. The volumes are not owned.
 struct SiteBracket
 {
   const PolarVolume* before = nullptr;
   const PolarVolume* after = nullptr;
+
+  const PolarVolume& Any() const { return before != nullptr ? *before : *after; }
 };
 
 /// Bytes a voxel that MergeThesis has beside those of its result: sums, counts and means.
@@ -39,7 +38,7 @@ constexpr std::size_t ThesisBytesAVoxel = sizeof(double) + sizeof(std::uint32_t)
 /// reached after the fill is NotScanned, a value of 0 is NoEcho, the rest is Echo. Empty when
 /// `progress` asked to stop. With a block, that part of the grid is made, as it is in the whole; of
 /// a site that ThesisMayReach does not find there, volumes without sweeps do as well. Throws Error
-/// when a site has no position, and as PartOf does.
+/// for a grid without voxels, and as PartOf does.
 std::optional<GriddedVolume> MergeThesis(const std::vector<SiteBracket>& sites,
   const GridSpecification& grid, Time time, const Progress& progress = {},
   const std::optional<VoxelBlock>& block = {});

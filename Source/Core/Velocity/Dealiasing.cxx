@@ -138,8 +138,9 @@ std::vector<OpenGate> FindOpenGates(const SweepFolds& sweep)
   return open;
 }
 
-} // namespace
-
+// Finds the folds of the gates of a sweep that are of no region, or of one that was not placed:
+// those to which the gates about them are near, in several turns. A gate that agrees with none of
+// its neighbours stays without a fold.
 void FillFolds(SweepFolds& sweep)
 {
   std::vector<OpenGate> open = FindOpenGates(sweep);
@@ -164,6 +165,9 @@ void FillFolds(SweepFolds& sweep)
   }
 }
 
+// The folds of all gates of a sweep: those that it has, and those of gates without any neighbour of
+// known fold that are within half a Nyquist velocity of what the wind profile and the sweeps below
+// and above lead to expect. The others stay without a fold (Formulas V4).
 std::vector<Fold> PlaceLoneGates(const SweepFolds& sweep, const ExpectedVelocities& expected)
 {
   constexpr float halfway = 0.5F; // half a Nyquist velocity from what is expected
@@ -185,13 +189,10 @@ std::vector<Fold> PlaceLoneGates(const SweepFolds& sweep, const ExpectedVelociti
   return folds;
 }
 
-namespace
-{
-
 std::vector<SweepFolds> FindClusters(const VelocityVolume& volume, const RangeLoop& loop)
 {
   std::vector<std::optional<SweepFolds>> found(volume.sweeps.size());
-  ForEachSweep(
+  RunEach(
     loop, found.size(), [&](std::size_t index) { found[index].emplace(volume.sweeps[index]); });
   std::vector<SweepFolds> sweeps;
   for (std::optional<SweepFolds>& sweep : found)
@@ -251,20 +252,10 @@ DealiasCounts SetVelocities(const SweepFolds& folds, VelocitySweep& sweep)
       counts.unknown += known ? 0 : 1;
       counts.unfolded += known && folds.gateFold[index] != 0 ? 1 : 0;
       sweep.values[first + gate] = folds.Unfolded(row, gate); // NaN when not known
-      sweep.states[first + gate] = known ? VelocityState::Valid : VelocityState::Unknown;
+      sweep.states[first + gate] = known ? GateState::Valid : GateState::NotSampled;
     }
   }
   return counts;
-}
-
-void CountJump(float a, float b, float nyquist, JumpCounts& counts)
-{
-  const float difference = std::abs(a - b);
-  if (nyquist > 0.0F && !std::isnan(difference))
-  {
-    ++counts.pairs;
-    counts.jumps += difference > nyquist ? 1 : 0;
-  }
 }
 
 } // namespace
@@ -274,16 +265,16 @@ DealiasCounts Dealias(VelocityVolume& volume, const DealiasOptions& options)
   std::vector<SweepFolds> sweeps = FindClusters(volume, options.loop);
   const WindProfile wind = ProfileFor(sweeps, options);
   PlaceClusters(sweeps, wind, options.loop);
-  ForEachSweep(options.loop, sweeps.size(), [&](std::size_t index) { FillFolds(sweeps[index]); });
+  RunEach(options.loop, sweeps.size(), [&](std::size_t index) { FillFolds(sweeps[index]); });
   std::vector<std::vector<Fold>> folds(sweeps.size()); // apart: sweeps are read by others
-  ForEachSweep(options.loop, sweeps.size(),
+  RunEach(options.loop, sweeps.size(),
     [&](std::size_t index)
     { folds[index] = PlaceLoneGates(sweeps[index], ExpectedVelocities(sweeps, index, wind)); });
-  ForEachSweep(options.loop, sweeps.size(),
+  RunEach(options.loop, sweeps.size(),
     [&](std::size_t index) { sweeps[index].gateFold = std::move(folds[index]); });
   RemoveUnsupportedFolds(sweeps, wind, options.loop);
   std::vector<DealiasCounts> counts(sweeps.size());
-  ForEachSweep(options.loop, sweeps.size(),
+  RunEach(options.loop, sweeps.size(),
     [&](std::size_t index) { counts[index] = SetVelocities(sweeps[index], volume.sweeps[index]); });
   DealiasCounts sum;
   for (const DealiasCounts& each : counts)
@@ -293,32 +284,6 @@ DealiasCounts Dealias(VelocityVolume& volume, const DealiasOptions& options)
     sum.unknown += each.unknown;
   }
   return sum;
-}
-
-JumpCounts CountJumps(const VelocityVolume& volume)
-{
-  JumpCounts counts;
-  for (const VelocitySweep& sweep : volume.sweeps)
-  {
-    const SweepRing ring = MakeSweepRing(sweep);
-    for (std::size_t row = 0; row < ring.rows; ++row)
-    {
-      const float* here = &ring.velocity[row * ring.gates];
-      const float* next = &ring.velocity[ring.NextRow(row) * ring.gates];
-      for (std::size_t gate = 0; gate < ring.gates; ++gate)
-      {
-        if (gate + 1 < ring.gates)
-        {
-          CountJump(here[gate], here[gate + 1], ring.nyquist[row], counts);
-        }
-        if (ring.beside[row] != 0)
-        {
-          CountJump(here[gate], next[gate], ring.nyquist[row], counts);
-        }
-      }
-    }
-  }
-  return counts;
 }
 
 } // namespace nexrad

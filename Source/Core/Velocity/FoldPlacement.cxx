@@ -5,7 +5,9 @@
 #include "nexrad/Geometry/Beam.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -36,11 +38,217 @@ void AddVote(float velocity, float expected, float nyquist, float weight, FoldVo
   votes.Add(int(fold), weight * (1.0F - 2.0F * std::abs(turns - fold)));
 }
 
+// What speaks for each fold of a region or cluster, and how much would if it were as expected.
+struct Evidence
+{
+  FoldVotes votes;
+  float most = 0.0F;
+};
+
+std::vector<Evidence> EvidenceOfRegions(
+  const SweepFolds& sweep, const ExpectedVelocities& expected, bool withSweeps)
+{
+  std::vector<Evidence> evidence(sweep.regions.size.size());
+  for (std::size_t row = 0; row < sweep.ring.rows; ++row)
+  {
+    for (std::size_t gate = 0; gate < sweep.ring.gates; ++gate)
+    {
+      const std::int32_t label = sweep.regions.label[row * sweep.ring.gates + gate];
+      if (label != VelocityRegions::None)
+      {
+        Evidence& own = evidence[std::size_t(label)];
+        own.most += expected.AddVotes(row, gate, withSweeps, own.votes);
+      }
+    }
+  }
+  return evidence;
+}
+
+std::vector<Evidence> EvidenceOfClusters(
+  const SweepFolds& sweep, const std::vector<Evidence>& ofRegions)
+{
+  std::vector<Evidence> evidence(sweep.clusters.size.size());
+  for (std::size_t region = 0; region < ofRegions.size(); ++region)
+  {
+    Evidence& cluster = evidence[std::size_t(sweep.clusters.cluster[region])];
+    cluster.votes.AddShifted(ofRegions[region].votes, -sweep.clusters.offset[region]);
+    cluster.most += ofRegions[region].most;
+  }
+  return evidence;
+}
+
+// A small cluster far from what is expected is noise, which any fold would fit.
+bool IsClear(const Evidence& evidence, std::uint32_t size)
+{
+  constexpr std::uint32_t small = 50; // gates
+  const float total = evidence.votes.Total();
+  const float best = evidence.votes.Of(evidence.votes.Best());
+  return total >= leastTotal && best >= leastShare * total &&
+         (size >= small || best >= leastCloseness * evidence.most);
+}
+
+// What regions or clusters beside those that have a fold ask for.
+template <class AnyFold>
+void AddBorders(const std::vector<RegionBorder>& borders, const std::vector<AnyFold>& folds,
+  float weight, std::vector<Evidence>& evidence)
+{
+  for (const RegionBorder& border : borders)
+  {
+    const AnyFold a = folds[std::size_t(border.a)];
+    const AnyFold b = folds[std::size_t(border.b)];
+    if (a != NoFold)
+    {
+      evidence[std::size_t(border.b)].votes.AddShifted(border.votes, a, weight);
+      evidence[std::size_t(border.b)].most += weight * border.votes.Total();
+    }
+    if (b != NoFold)
+    {
+      evidence[std::size_t(border.a)].votes.AddShifted(Turned(border.votes), b, weight);
+      evidence[std::size_t(border.a)].most += weight * border.votes.Total();
+    }
+  }
+}
+
+// Other sweeps read the folds of gates, and those of regions only their own sweep: while several
+// sweeps are placed at a time, only the latter may change.
+void SetGateFolds(SweepFolds& sweep)
+{
+  for (std::size_t index = 0; index < sweep.gateFold.size(); ++index)
+  {
+    const std::int32_t label = sweep.regions.label[index];
+    sweep.gateFold[index] =
+      label == VelocityRegions::None ? NoFold : sweep.regionFold[std::size_t(label)];
+  }
+}
+
+void SetClusterFolds(SweepFolds& sweep, const std::vector<int>& folds)
+{
+  for (std::size_t region = 0; region < sweep.regionFold.size(); ++region)
+  {
+    const int ofCluster = folds[std::size_t(sweep.clusters.cluster[region])];
+    if (ofCluster != NoFold)
+    {
+      const int fold = ofCluster + sweep.clusters.offset[region];
+      sweep.regionFold[region] = std::abs(fold) <= MostFolds ? Fold(fold) : NoFold;
+    }
+  }
+}
+
+// The fold that brings the mean velocity of the largest cluster nearest to 0.
+void PlaceNearZero(SweepFolds& sweep)
+{
+  if (sweep.clusters.size.empty())
+  {
+    return;
+  }
+  const auto largest =
+    std::int32_t(std::max_element(sweep.clusters.size.begin(), sweep.clusters.size.end()) -
+                 sweep.clusters.size.begin());
+  double turns = 0.0;
+  for (std::size_t index = 0; index < sweep.ring.velocity.size(); ++index)
+  {
+    const std::int32_t label = sweep.regions.label[index];
+    if (label != VelocityRegions::None && sweep.clusters.cluster[std::size_t(label)] == largest)
+    {
+      turns += double(sweep.ring.velocity[index]) /
+                 (2.0 * double(sweep.ring.nyquist[index / sweep.ring.gates])) +
+               double(sweep.clusters.offset[std::size_t(label)]);
+    }
+  }
+  std::vector<int> folds(sweep.clusters.size.size(), NoFold);
+  folds[std::size_t(largest)] =
+    int(-std::lround(turns / double(sweep.clusters.size[std::size_t(largest)])));
+  SetClusterFolds(sweep, folds);
+}
+
+// The fold that each cluster has now.
+std::vector<int> FoldsOfClusters(const SweepFolds& sweep)
+{
+  std::vector<int> folds(sweep.clusters.size.size(), NoFold);
+  for (std::size_t region = 0; region < sweep.regionFold.size(); ++region)
+  {
+    if (sweep.regionFold[region] != NoFold)
+    {
+      folds[std::size_t(sweep.clusters.cluster[region])] =
+        sweep.regionFold[region] - sweep.clusters.offset[region];
+    }
+  }
+  return folds;
+}
+
+void PlaceSweep(SweepFolds& sweep, const ExpectedVelocities& expected, bool withSweeps)
+{
+  std::vector<Evidence> evidence =
+    EvidenceOfClusters(sweep, EvidenceOfRegions(sweep, expected, withSweeps));
+  std::vector<int> folds = FoldsOfClusters(sweep);
+  if (withSweeps)
+  {
+    AddBorders(sweep.clusters.borders, folds, borderWeight, evidence);
+  }
+  for (std::size_t cluster = 0; cluster < folds.size(); ++cluster)
+  {
+    if (IsClear(evidence[cluster], sweep.clusters.size[cluster]))
+    {
+      folds[cluster] = evidence[cluster].votes.Best();
+    }
+  }
+  SetClusterFolds(sweep, folds);
+}
+
+// Gives regions the fold for which the regions beside them and the other sweeps together speak.
+void CorrectRegions(SweepFolds& sweep, const ExpectedVelocities& expected)
+{
+  constexpr float sweepsWeight = 0.5F;
+  constexpr float clear = 0.7F; // of all votes, to change a region
+  std::vector<Evidence> evidence(sweep.regionFold.size());
+  const std::vector<Evidence> own = EvidenceOfRegions(sweep, expected, true);
+  for (std::size_t region = 0; region < evidence.size(); ++region)
+  {
+    evidence[region].votes.AddShifted(own[region].votes, 0, sweepsWeight);
+  }
+  AddBorders(sweep.regions.borders, sweep.regionFold, 1.0F, evidence);
+  for (std::size_t region = 0; region < evidence.size(); ++region)
+  {
+    const FoldVotes& votes = evidence[region].votes;
+    const float total = votes.Total();
+    const int best = votes.Best();
+    if (total >= leastTotal && votes.Of(best) >= clear * total)
+    {
+      sweep.regionFold[region] = Fold(best);
+    }
+  }
+}
+
+// Places the regions of some sweeps, and then their gates: what they read of each other does not
+// depend on which of them is placed first, nor on the number of threads.
+void PlaceAll(std::vector<SweepFolds>& sweeps, const std::vector<std::size_t>& which,
+  const RangeLoop& loop, const std::function<void(std::size_t)>& place)
+{
+  RunEach(loop, which.size(), [&](std::size_t index) { place(which[index]); });
+  RunEach(loop, which.size(), [&](std::size_t index) { SetGateFolds(sweeps[which[index]]); });
+}
+
+// Sweeps by elevation, in two halves of which none is next to another of its half: so most of what
+// a sweep reads of others was placed just before.
+std::array<std::vector<std::size_t>, 2> HalvesOf(const std::vector<SweepFolds>& sweeps)
+{
+  std::vector<std::size_t> order(sweeps.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+    [&](std::size_t a, std::size_t b)
+    { return sweeps[a].ring.elevation < sweeps[b].ring.elevation; });
+  std::array<std::vector<std::size_t>, 2> halves;
+  for (std::size_t place = 0; place < order.size(); ++place)
+  {
+    halves[place % 2].push_back(order[place]);
+  }
+  return halves;
+}
+
 } // namespace
 
 SweepFolds::SweepFolds(const VelocitySweep& sweep)
   : ring(MakeSweepRing(sweep))
-  , finder(ring)
   , regions(FindRegions(ring))
   , clusters(MergeRegions(regions.size, regions.borders))
   , regionFold(regions.size.size(), NoFold)
@@ -108,7 +316,7 @@ void ExpectedVelocities::AddSweep(const SweepFolds& other)
   OtherSweep result{&other, {}, {}, {}};
   for (const float azimuth : own.ring.azimuth)
   {
-    result.row.push_back(other.finder.RowAt(azimuth));
+    result.row.push_back(other.ring.RowAt(azimuth));
   }
   const double cosineRatio = std::cos(own.ring.elevation * RadiansPerDegree) /
                              std::cos(other.ring.elevation * RadiansPerDegree);
@@ -141,7 +349,7 @@ float ExpectedVelocities::AddVotes(
   for (std::size_t each = 0; withSweeps && each < others.size(); ++each)
   {
     const OtherSweep& other = others[each];
-    if (other.row[row] != RowFinder::None && other.gate[gate] < other.sweep->ring.gates)
+    if (other.row[row] != SweepRing::NoRow && other.gate[gate] < other.sweep->ring.gates)
     {
       const float expected = other.sweep->Unfolded(other.row[row], other.gate[gate]);
       if (!std::isnan(expected))
@@ -152,245 +360,6 @@ float ExpectedVelocities::AddVotes(
     }
   }
   return most;
-}
-
-namespace
-{
-
-// What speaks for each fold of a region or cluster, and how much would if it were as expected.
-struct Evidence
-{
-  FoldVotes votes;
-  float most = 0.0F;
-};
-
-std::vector<Evidence> EvidenceOfRegions(
-  const SweepFolds& sweep, const ExpectedVelocities& expected, bool withSweeps)
-{
-  std::vector<Evidence> evidence(sweep.regions.size.size());
-  for (std::size_t row = 0; row < sweep.ring.rows; ++row)
-  {
-    for (std::size_t gate = 0; gate < sweep.ring.gates; ++gate)
-    {
-      const std::int32_t label = sweep.regions.label[row * sweep.ring.gates + gate];
-      if (label != VelocityRegions::None)
-      {
-        Evidence& own = evidence[std::size_t(label)];
-        own.most += expected.AddVotes(row, gate, withSweeps, own.votes);
-      }
-    }
-  }
-  return evidence;
-}
-
-std::vector<Evidence> EvidenceOfClusters(
-  const SweepFolds& sweep, const std::vector<Evidence>& ofRegions)
-{
-  std::vector<Evidence> evidence(sweep.clusters.size.size());
-  for (std::size_t region = 0; region < ofRegions.size(); ++region)
-  {
-    Evidence& cluster = evidence[std::size_t(sweep.clusters.cluster[region])];
-    cluster.votes.AddShifted(ofRegions[region].votes, -sweep.clusters.offset[region]);
-    cluster.most += ofRegions[region].most;
-  }
-  return evidence;
-}
-
-// A small cluster far from what is expected is noise, which any fold would fit.
-bool IsClear(const Evidence& evidence, std::uint32_t size)
-{
-  constexpr std::uint32_t small = 50; // gates
-  const float total = evidence.votes.Total();
-  const float best = evidence.votes.Of(evidence.votes.Best());
-  return total >= leastTotal && best >= leastShare * total &&
-         (size >= small || best >= leastCloseness * evidence.most);
-}
-
-// Clusters beside one that is placed follow it where nothing else is known.
-void AddBorders(
-  const SweepFolds& sweep, const std::vector<int>& folds, std::vector<Evidence>& evidence)
-{
-  for (const RegionBorder& border : sweep.clusters.borders)
-  {
-    const int a = folds[std::size_t(border.a)];
-    const int b = folds[std::size_t(border.b)];
-    if (a != NoFold)
-    {
-      evidence[std::size_t(border.b)].votes.AddShifted(border.votes, a, borderWeight);
-      evidence[std::size_t(border.b)].most += borderWeight * border.votes.Total();
-    }
-    if (b != NoFold)
-    {
-      evidence[std::size_t(border.a)].votes.AddShifted(Turned(border.votes), b, borderWeight);
-      evidence[std::size_t(border.a)].most += borderWeight * border.votes.Total();
-    }
-  }
-}
-
-void SetRegionFold(SweepFolds& sweep, std::size_t region, int fold)
-{
-  sweep.regionFold[region] = fold >= -MostFolds && fold <= MostFolds ? Fold(fold) : NoFold;
-}
-
-// Other sweeps read the folds of gates, and those of regions only their own sweep: while several
-// sweeps are placed at a time, only the latter may change.
-void SetGateFolds(SweepFolds& sweep)
-{
-  for (std::size_t index = 0; index < sweep.gateFold.size(); ++index)
-  {
-    const std::int32_t label = sweep.regions.label[index];
-    sweep.gateFold[index] =
-      label == VelocityRegions::None ? NoFold : sweep.regionFold[std::size_t(label)];
-  }
-}
-
-void SetClusterFolds(SweepFolds& sweep, const std::vector<int>& folds)
-{
-  for (std::size_t region = 0; region < sweep.regionFold.size(); ++region)
-  {
-    const int fold = folds[std::size_t(sweep.clusters.cluster[region])];
-    if (fold != NoFold)
-    {
-      SetRegionFold(sweep, region, fold + sweep.clusters.offset[region]);
-    }
-  }
-}
-
-// The fold that brings the mean velocity of the largest cluster nearest to 0.
-void PlaceNearZero(SweepFolds& sweep)
-{
-  if (sweep.clusters.size.empty())
-  {
-    return;
-  }
-  const auto largest =
-    std::int32_t(std::max_element(sweep.clusters.size.begin(), sweep.clusters.size.end()) -
-                 sweep.clusters.size.begin());
-  double turns = 0.0;
-  for (std::size_t index = 0; index < sweep.ring.velocity.size(); ++index)
-  {
-    const std::int32_t label = sweep.regions.label[index];
-    if (label != VelocityRegions::None && sweep.clusters.cluster[std::size_t(label)] == largest)
-    {
-      turns += double(sweep.ring.velocity[index]) /
-                 (2.0 * double(sweep.ring.nyquist[index / sweep.ring.gates])) +
-               double(sweep.clusters.offset[std::size_t(label)]);
-    }
-  }
-  std::vector<int> folds(sweep.clusters.size.size(), NoFold);
-  folds[std::size_t(largest)] =
-    int(-std::lround(turns / double(sweep.clusters.size[std::size_t(largest)])));
-  SetClusterFolds(sweep, folds);
-}
-
-// The fold that each cluster has now.
-std::vector<int> FoldsOfClusters(const SweepFolds& sweep)
-{
-  std::vector<int> folds(sweep.clusters.size.size(), NoFold);
-  for (std::size_t region = 0; region < sweep.regionFold.size(); ++region)
-  {
-    if (sweep.regionFold[region] != NoFold)
-    {
-      folds[std::size_t(sweep.clusters.cluster[region])] =
-        sweep.regionFold[region] - sweep.clusters.offset[region];
-    }
-  }
-  return folds;
-}
-
-void PlaceSweep(SweepFolds& sweep, const ExpectedVelocities& expected, bool withSweeps)
-{
-  std::vector<Evidence> evidence =
-    EvidenceOfClusters(sweep, EvidenceOfRegions(sweep, expected, withSweeps));
-  std::vector<int> folds = FoldsOfClusters(sweep);
-  if (withSweeps)
-  {
-    AddBorders(sweep, folds, evidence);
-  }
-  for (std::size_t cluster = 0; cluster < folds.size(); ++cluster)
-  {
-    if (IsClear(evidence[cluster], sweep.clusters.size[cluster]))
-    {
-      folds[cluster] = evidence[cluster].votes.Best();
-    }
-  }
-  SetClusterFolds(sweep, folds);
-}
-
-// Gives regions the fold for which the regions beside them and the other sweeps together speak.
-void CorrectRegions(SweepFolds& sweep, const ExpectedVelocities& expected)
-{
-  constexpr float sweepsWeight = 0.5F;
-  constexpr float clear = 0.7F; // of all votes, to change a region
-  std::vector<FoldVotes> votes(sweep.regionFold.size());
-  const std::vector<Evidence> own = EvidenceOfRegions(sweep, expected, true);
-  for (std::size_t region = 0; region < votes.size(); ++region)
-  {
-    votes[region].AddShifted(own[region].votes, 0, sweepsWeight);
-  }
-  for (const RegionBorder& border : sweep.regions.borders)
-  {
-    const Fold a = sweep.regionFold[std::size_t(border.a)];
-    const Fold b = sweep.regionFold[std::size_t(border.b)];
-    if (a != NoFold)
-    {
-      votes[std::size_t(border.b)].AddShifted(border.votes, a);
-    }
-    if (b != NoFold)
-    {
-      votes[std::size_t(border.a)].AddShifted(Turned(border.votes), b);
-    }
-  }
-  for (std::size_t region = 0; region < votes.size(); ++region)
-  {
-    const float total = votes[region].Total();
-    const int best = votes[region].Best();
-    if (total >= leastTotal && votes[region].Of(best) >= clear * total)
-    {
-      sweep.regionFold[region] = Fold(best);
-    }
-  }
-}
-
-// Places the regions of some sweeps, and then their gates: what they read of each other does not
-// depend on which of them is placed first, nor on the number of threads.
-void PlaceAll(std::vector<SweepFolds>& sweeps, const std::vector<std::size_t>& which,
-  const RangeLoop& loop, const std::function<void(std::size_t)>& place)
-{
-  ForEachSweep(loop, which.size(), [&](std::size_t index) { place(which[index]); });
-  ForEachSweep(loop, which.size(), [&](std::size_t index) { SetGateFolds(sweeps[which[index]]); });
-}
-
-// Sweeps by elevation, in two halves of which none is next to another of its half: so most of what
-// a sweep reads of others was placed just before.
-std::array<std::vector<std::size_t>, 2> HalvesOf(const std::vector<SweepFolds>& sweeps)
-{
-  std::vector<std::size_t> order(sweeps.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(),
-    [&](std::size_t a, std::size_t b)
-    { return sweeps[a].ring.elevation < sweeps[b].ring.elevation; });
-  std::array<std::vector<std::size_t>, 2> halves;
-  for (std::size_t place = 0; place < order.size(); ++place)
-  {
-    halves[place % 2].push_back(order[place]);
-  }
-  return halves;
-}
-
-} // namespace
-
-void ForEachSweep(
-  const RangeLoop& loop, std::size_t count, const std::function<void(std::size_t)>& work)
-{
-  RunLoop(loop, int(count),
-    [&work](int begin, int end)
-    {
-      for (auto index = std::size_t(begin); index < std::size_t(end); ++index)
-      {
-        work(index);
-      }
-    });
 }
 
 void PlaceClusters(std::vector<SweepFolds>& sweeps, const WindProfile& wind, const RangeLoop& loop)

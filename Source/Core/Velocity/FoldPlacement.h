@@ -2,13 +2,11 @@
 #pragma once
 
 #include "nexrad/System/RangeLoop.h"
-#include "nexrad/Velocity/RegionMerging.h"
 #include "nexrad/Velocity/VelocityRegions.h"
 #include "nexrad/Velocity/VelocityVolume.h"
 #include "nexrad/Velocity/WindProfile.h"
 
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 namespace nexrad
@@ -20,7 +18,6 @@ struct SweepFolds
   explicit SweepFolds(const VelocitySweep& sweep);
 
   SweepRing ring;
-  RowFinder finder;
   VelocityRegions regions;
   RegionClusters clusters;
   std::vector<Fold> regionFold; ///< of each region; NoFold until it is known
@@ -53,7 +50,7 @@ private:
   struct OtherSweep
   {
     const SweepFolds* sweep;
-    std::vector<std::size_t> row;  // of each row: that of the other sweep, or RowFinder::None
+    std::vector<std::size_t> row;  // of each row: that of the other sweep, or SweepRing::NoRow
     std::vector<std::size_t> gate; // of each gate: that of the other sweep, or all of its gates
     std::vector<float> weight;     // of each gate: less where the other beam is farther away
   };
@@ -67,11 +64,6 @@ private:
   std::vector<float> cosine;
   std::vector<OtherSweep> others;
 };
-
-/// Calls `work` with 0 to `count` - 1, several at a time through a loop, and returns when all is
-/// done.
-void ForEachSweep(
-  const RangeLoop& loop, std::size_t count, const std::function<void(std::size_t)>& work);
 
 /// Finds the folds of the clusters of regions of all sweeps: first of those that the wind profile
 /// places clearly, then of those that clusters beside them and sweeps below and above place

@@ -41,8 +41,18 @@ struct Patch
   float away = 0.0F;      // their differences from it, each in units of what is near
 };
 
-// Gates of one patch whose folds are in doubt.
-using DoubtfulGates = std::vector<std::size_t>;
+// Gates of one patch whose folds are in doubt, and these folds.
+struct DoubtfulGates
+{
+  std::vector<std::size_t> gates;
+  std::vector<Fold> folds; // once they are taken out
+  bool othersAgree = false;
+};
+
+bool IsMoved(Fold fold)
+{
+  return fold != NoFold && fold != 0;
+}
 
 class PatchFinder
 {
@@ -211,11 +221,6 @@ private:
       });
   }
 
-  bool IsMoved(std::size_t index) const
-  {
-    return sweep.gateFold[index] != NoFold && sweep.gateFold[index] != 0;
-  }
-
   void AddWind(std::size_t index, Patch& patch) const
   {
     const GateWind& wind = winds[index % ring.gates];
@@ -236,7 +241,7 @@ private:
     numbers.assign(unfolded.size(), None);
     for (std::size_t index = 0; index < unfolded.size(); ++index)
     {
-      if (this->IsMoved(index))
+      if (IsMoved(sweep.gateFold[index]))
       {
         std::int32_t& number = this->NumberOf(index);
         if (number == None)
@@ -284,7 +289,7 @@ private:
     std::vector<DoubtfulGates> doubtful(patches.size());
     for (std::size_t index = 0; index < unfolded.size(); ++index)
     {
-      if (!this->IsMoved(index))
+      if (!IsMoved(sweep.gateFold[index]))
       {
         continue;
       }
@@ -295,11 +300,11 @@ private:
           !(isNearWind && std::abs(static_cast<double>(unfolded[index])) <=
                             FastestWind(winds[index % ring.gates].height)))
       {
-        doubtful[number].push_back(index);
+        doubtful[number].gates.push_back(index);
       }
     }
     doubtful.erase(std::remove_if(doubtful.begin(), doubtful.end(),
-                     [](const DoubtfulGates& gates) { return gates.empty(); }),
+                     [](const DoubtfulGates& patch) { return patch.gates.empty(); }),
       doubtful.end());
     return doubtful;
   }
@@ -315,85 +320,25 @@ private:
   std::vector<Patch> patches;
 };
 
-bool HasFolds(const SweepFolds& sweep)
-{
-  return std::any_of(sweep.gateFold.begin(), sweep.gateFold.end(),
-    [](Fold fold) { return fold != NoFold && fold != 0; });
-}
-
 // Whether other sweeps have velocities near to those of a patch, at its place.
-bool OthersAgree(const SweepFolds& sweep, const ExpectedVelocities& expected,
-  const DoubtfulGates& gates, const std::vector<Fold>& folds)
+bool OthersAgree(
+  const SweepFolds& sweep, const ExpectedVelocities& expected, const DoubtfulGates& patch)
 {
   float agree = 0.0F;
   float most = 0.0F;
-  for (std::size_t each = 0; each < gates.size(); ++each)
+  for (std::size_t each = 0; each < patch.gates.size(); ++each)
   {
-    const std::size_t row = gates[each] / sweep.ring.gates;
-    const std::size_t gate = gates[each] % sweep.ring.gates;
+    const std::size_t row = patch.gates[each] / sweep.ring.gates;
+    const std::size_t gate = patch.gates[each] % sweep.ring.gates;
     FoldVotes all;
     FoldVotes ofWind;
     most += expected.AddVotes(row, gate, true, all) - expected.AddVotes(row, gate, false, ofWind);
-    agree += all.Of(folds[each]) - ofWind.Of(folds[each]);
+    agree += all.Of(patch.folds[each]) - ofWind.Of(patch.folds[each]);
   }
-  const float nyquist = sweep.ring.nyquist[gates.front() / sweep.ring.gates];
+  const float nyquist = sweep.ring.nyquist[patch.gates.front() / sweep.ring.gates];
   const float least = std::max(closeOthers, 1.0F - nearOthers / nyquist);
-  return most >= leastOthers * static_cast<float>(gates.size()) && agree >= least * most;
+  return most >= leastOthers * static_cast<float>(patch.gates.size()) && agree >= least * most;
 }
-
-// The folds of the gates of a sweep that are in doubt, taken out of it.
-class Doubts
-{
-public:
-  void Find(const std::vector<SweepFolds>& sweeps, std::size_t index, const WindProfile& wind)
-  {
-    if (HasFolds(sweeps[index]))
-    {
-      patches = PatchFinder(sweeps[index], wind).Find();
-    }
-  }
-
-  void TakeOut(SweepFolds& sweep)
-  {
-    for (const DoubtfulGates& patch : patches)
-    {
-      folds.emplace_back();
-      for (const std::size_t gate : patch)
-      {
-        folds.back().push_back(sweep.gateFold[gate]);
-        sweep.gateFold[gate] = NoFold;
-      }
-    }
-  }
-
-  void AskOthers(const std::vector<SweepFolds>& sweeps, std::size_t index, const WindProfile& wind)
-  {
-    if (!patches.empty())
-    {
-      const ExpectedVelocities expected(sweeps, index, wind);
-      for (std::size_t each = 0; each < patches.size(); ++each)
-      {
-        agreed.push_back(OthersAgree(sweeps[index], expected, patches[each], folds[each]));
-      }
-    }
-  }
-
-  void PutBack(SweepFolds& sweep) const
-  {
-    for (std::size_t each = 0; each < patches.size(); ++each)
-    {
-      for (std::size_t gate = 0; agreed[each] && gate < patches[each].size(); ++gate)
-      {
-        sweep.gateFold[patches[each][gate]] = folds[each][gate];
-      }
-    }
-  }
-
-private:
-  std::vector<DoubtfulGates> patches;
-  std::vector<std::vector<Fold>> folds; // of the gates of each
-  std::vector<bool> agreed;             // of each: whether other sweeps vouch for it
-};
 
 } // namespace
 
@@ -401,15 +346,51 @@ void RemoveUnsupportedFolds(
   std::vector<SweepFolds>& sweeps, const WindProfile& wind, const RangeLoop& loop)
 {
   // Step by step over all sweeps: what a sweep reads of others must not change meanwhile.
-  std::vector<Doubts> doubts(sweeps.size());
-  ForEachSweep(
-    loop, sweeps.size(), [&](std::size_t index) { doubts[index].Find(sweeps, index, wind); });
-  ForEachSweep(
-    loop, sweeps.size(), [&](std::size_t index) { doubts[index].TakeOut(sweeps[index]); });
-  ForEachSweep(
-    loop, sweeps.size(), [&](std::size_t index) { doubts[index].AskOthers(sweeps, index, wind); });
-  ForEachSweep(
-    loop, sweeps.size(), [&](std::size_t index) { doubts[index].PutBack(sweeps[index]); });
+  std::vector<std::vector<DoubtfulGates>> doubts(sweeps.size());
+  RunEach(loop, sweeps.size(),
+    [&](std::size_t index)
+    {
+      const std::vector<Fold>& folds = sweeps[index].gateFold;
+      if (std::any_of(folds.begin(), folds.end(), IsMoved))
+      {
+        doubts[index] = PatchFinder(sweeps[index], wind).Find();
+      }
+    });
+  RunEach(loop, sweeps.size(),
+    [&](std::size_t index)
+    {
+      for (DoubtfulGates& patch : doubts[index])
+      {
+        for (const std::size_t gate : patch.gates)
+        {
+          patch.folds.push_back(sweeps[index].gateFold[gate]);
+          sweeps[index].gateFold[gate] = NoFold;
+        }
+      }
+    });
+  RunEach(loop, sweeps.size(),
+    [&](std::size_t index)
+    {
+      if (!doubts[index].empty())
+      {
+        const ExpectedVelocities expected(sweeps, index, wind);
+        for (DoubtfulGates& patch : doubts[index])
+        {
+          patch.othersAgree = OthersAgree(sweeps[index], expected, patch);
+        }
+      }
+    });
+  RunEach(loop, sweeps.size(),
+    [&](std::size_t index)
+    {
+      for (const DoubtfulGates& patch : doubts[index])
+      {
+        for (std::size_t each = 0; patch.othersAgree && each < patch.gates.size(); ++each)
+        {
+          sweeps[index].gateFold[patch.gates[each]] = patch.folds[each];
+        }
+      }
+    });
 }
 
 double FastestWind(double height)

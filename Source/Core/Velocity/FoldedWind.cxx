@@ -244,27 +244,6 @@ float Cost(const Wind& a, const Wind& b, std::size_t layers)
   return static_cast<float>(std::min(most, 0.5 * change * change / static_cast<double>(layers)));
 }
 
-void ExtendWays(const LayerChoice& before, LayerChoice& next, float weight)
-{
-  for (const WindCandidate& candidate : next.candidates)
-  {
-    float best = -1.0e9F;
-    std::size_t from = 0;
-    for (std::size_t each = 0; each < before.candidates.size(); ++each)
-    {
-      const float sum = before.sums[each] - Cost(before.candidates[each].wind, candidate.wind,
-                                              next.layer - before.layer);
-      if (sum > best)
-      {
-        best = sum;
-        from = each;
-      }
-    }
-    next.sums.push_back(best + Worth(candidate, weight));
-    next.from.push_back(from);
-  }
-}
-
 float WeightOf(const Layer& layer)
 {
   float weight = 0.0F;
@@ -319,14 +298,7 @@ std::vector<Layer> LayersOf(const SweepRing& ring)
 std::vector<Layer> LayersOf(const std::vector<const SweepRing*>& sweeps, const RangeLoop& loop)
 {
   std::vector<std::vector<Layer>> parts(sweeps.size());
-  RunLoop(loop, int(sweeps.size()),
-    [&](int begin, int end)
-    {
-      for (auto index = std::size_t(begin); index < std::size_t(end); ++index)
-      {
-        parts[index] = LayersOf(*sweeps[index]);
-      }
-    });
+  RunEach(loop, sweeps.size(), [&](std::size_t index) { parts[index] = LayersOf(*sweeps[index]); });
   std::vector<Layer> layers(layerCount);
   for (const std::vector<Layer>& part : parts)
   {
@@ -351,14 +323,9 @@ std::vector<LayerChoice> FindChoices(const std::vector<Layer>& layers, const Ran
       choices.push_back({layer, {}, {}, {}});
     }
   }
-  RunLoop(loop, int(choices.size()),
-    [&](int begin, int end)
-    {
-      for (auto index = std::size_t(begin); index < std::size_t(end); ++index)
-      {
-        choices[index].candidates = FindCandidates(layers[choices[index].layer], cosine);
-      }
-    });
+  RunEach(loop, choices.size(),
+    [&](std::size_t index)
+    { choices[index].candidates = FindCandidates(layers[choices[index].layer], cosine); });
   choices.erase(std::remove_if(choices.begin(), choices.end(),
                   [](const LayerChoice& choice) { return choice.candidates.empty(); }),
     choices.end());
@@ -367,14 +334,28 @@ std::vector<LayerChoice> FindChoices(const std::vector<Layer>& layers, const Ran
 
 void FindWays(const std::vector<Layer>& layers, std::vector<LayerChoice>& choices)
 {
-  for (const WindCandidate& candidate : choices.front().candidates)
+  for (std::size_t index = 0; index < choices.size(); ++index)
   {
-    choices.front().sums.push_back(Worth(candidate, WeightOf(layers[choices.front().layer])));
-    choices.front().from.push_back(0);
-  }
-  for (std::size_t index = 1; index < choices.size(); ++index)
-  {
-    ExtendWays(choices[index - 1], choices[index], WeightOf(layers[choices[index].layer]));
+    LayerChoice& choice = choices[index];
+    const float weight = WeightOf(layers[choice.layer]);
+    for (const WindCandidate& candidate : choice.candidates)
+    {
+      float best = index == 0 ? 0.0F : -1.0e9F;
+      std::size_t from = 0;
+      for (std::size_t each = 0; index > 0 && each < choices[index - 1].candidates.size(); ++each)
+      {
+        const LayerChoice& before = choices[index - 1];
+        const float sum = before.sums[each] - Cost(before.candidates[each].wind, candidate.wind,
+                                                choice.layer - before.layer);
+        if (sum > best)
+        {
+          best = sum;
+          from = each;
+        }
+      }
+      choice.sums.push_back(best + Worth(candidate, weight));
+      choice.from.push_back(from);
+    }
   }
 }
 

@@ -59,27 +59,20 @@ private:
   double sv = 0.0, sxv = 0.0, syv = 0.0;
 };
 
-// Half the size of a window, m.
-struct Window
-{
-  double alongAzimuth;
-  double alongRay;
-};
-
 class DerivativeField
 {
 public:
-  DerivativeField(const VelocitySweep& theSweep, const Window& theWindow)
+  // Half the size of the window along the azimuth and along the ray, m.
+  DerivativeField(const VelocitySweep& theSweep, double theHalfWidth, double halfLength)
     : sweep(theSweep)
-    , window(theWindow)
+    , halfWidth(theHalfWidth)
     , ring(MakeSweepRing(theSweep))
     , turn(2.0 * Pi / static_cast<double>(std::max<std::size_t>(ring.rows, 1)))
-    , reach(std::max(std::ptrdiff_t(1), std::ptrdiff_t(window.alongRay / ring.gateSpacing)))
+    , reach(std::max(std::ptrdiff_t(1), std::ptrdiff_t(halfLength / ring.gateSpacing)))
   {
   }
 
-  template <class Choose>
-  std::vector<float> Make(const Choose& choose) const
+  std::vector<float> Make(double Slopes::*slope) const
   {
     std::vector<float> field(sweep.values.size(), std::numeric_limits<float>::quiet_NaN());
     for (std::size_t row = 0; row < ring.rows; ++row)
@@ -89,7 +82,7 @@ public:
         const std::size_t index = sweep.Index(ring.ray[row], gate);
         if (!std::isnan(sweep.values[index]) && ring.RangeOf(gate) > nearest)
         {
-          field[index] = this->At(row, gate, choose);
+          field[index] = this->At(row, gate, slope);
         }
       }
     }
@@ -100,13 +93,12 @@ private:
   // Closer in the window holds a quarter of all rays and more, and no plane fits.
   static constexpr double nearest = 2'000.0; // m
 
-  template <class Choose>
-  float At(std::size_t row, std::size_t gate, const Choose& choose) const
+  float At(std::size_t row, std::size_t gate, double Slopes::*slope) const
   {
     PlaneFit fit;
     int found = this->AddRow(row, row, gate, fit);
     int wanted = int(2 * reach + 1);
-    const auto rows = std::max(1, int(window.alongAzimuth / (turn * ring.RangeOf(gate))));
+    const auto rows = std::max(1, int(halfWidth / (turn * ring.RangeOf(gate))));
     std::size_t before = row;
     std::size_t after = row;
     bool hasBefore = true;
@@ -122,7 +114,7 @@ private:
       wanted += 2 * int(2 * reach + 1);
     }
     return 3 * found <= 2 * wanted ? std::numeric_limits<float>::quiet_NaN()
-                                   : static_cast<float>(choose(fit.Solve()));
+                                   : static_cast<float>(fit.Solve().*slope);
   }
 
   // Adds the gates of one row of the window; returns how many have a velocity.
@@ -151,7 +143,7 @@ private:
   }
 
   const VelocitySweep& sweep;
-  Window window;
+  double halfWidth;
   SweepRing ring;
   double turn; // radians from one ray to the next
   std::ptrdiff_t reach;
@@ -176,14 +168,12 @@ void SubtractMotion(VelocitySweep& sweep, const Wind& motion)
 
 std::vector<float> AzimuthalShear(const VelocitySweep& sweep)
 {
-  return DerivativeField(sweep, {1'250.0, 375.0})
-    .Make([](const Slopes& slopes) { return slopes.alongAzimuth; });
+  return DerivativeField(sweep, 1'250.0, 375.0).Make(&Slopes::alongAzimuth);
 }
 
 std::vector<float> RadialDivergence(const VelocitySweep& sweep)
 {
-  return DerivativeField(sweep, {375.0, 750.0})
-    .Make([](const Slopes& slopes) { return slopes.alongRay; });
+  return DerivativeField(sweep, 375.0, 750.0).Make(&Slopes::alongRay);
 }
 
 } // namespace nexrad

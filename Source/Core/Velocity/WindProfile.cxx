@@ -3,7 +3,6 @@
 
 #include "nexrad/Geometry/Angles.h"
 #include "nexrad/Geometry/Beam.h"
-#include "nexrad/System/Error.h"
 
 #include <algorithm>
 #include <array>
@@ -16,32 +15,15 @@
 namespace nexrad
 {
 
-namespace
-{
-
-constexpr double widestGap = 2000.0; // m between levels
-
-} // namespace
-
-double Wind::Speed() const
-{
-  return std::hypot(east, north);
-}
-
 double Wind::Direction() const
 {
   const double direction = std::atan2(-east, -north) / RadiansPerDegree;
   return direction < 0.0 ? direction + 360.0 : direction;
 }
 
-Wind WindFrom(double direction, double speed)
-{
-  return {-speed * std::sin(direction * RadiansPerDegree),
-    -speed * std::cos(direction * RadiansPerDegree)};
-}
-
 std::optional<Wind> WindProfile::At(double height, double reach) const
 {
+  constexpr double widestGap = 2000.0; // m between levels
   const auto above = std::lower_bound(levels.begin(), levels.end(), height,
     [](const ProfileLevel& level, double value) { return level.height < value; });
   const auto isNear = [&](const ProfileLevel& level)
@@ -82,6 +64,8 @@ namespace
 {
 
 constexpr std::size_t sectors = 12;
+constexpr double nearestGate =
+  3'000.0; // m of ground distance: closer in, side lobes see the ground
 constexpr std::size_t gatesOfSector = 10; // that a sector has at least to count
 constexpr double mostRms = 5.0;           // m/s
 constexpr double mostOffset = 7.0;        // m/s
@@ -221,7 +205,7 @@ void AddSamples(const VelocitySweep& sweep, const ProfileOptions& options,
   {
     const BeamPoint point = beam.Locate(std::max(0.0, sweep.RangeOf(gate)), sweep.elevation);
     const double place = std::floor(point.height / options.layerDepth);
-    if (point.groundDistance < options.nearest || point.groundDistance > options.farthest ||
+    if (point.groundDistance < nearestGate || point.groundDistance > options.farthest ||
         place < 0.0 || place >= static_cast<double>(layers.size()))
     {
       continue;
@@ -245,12 +229,6 @@ void AddSamples(const VelocitySweep& sweep, const ProfileOptions& options,
 
 WindProfile FitWindProfile(const VelocityVolume& volume, const ProfileOptions& options)
 {
-  if (!(options.layerDepth >= 10.0) || !(options.nearest >= 0.0) ||
-      !(options.farthest > options.nearest))
-  {
-    throw Error("a wind profile needs layers of at least 10 m, and a farthest distance above the "
-                "nearest one, which is at least 0 m");
-  }
   std::vector<std::vector<Sample>> layers(std::size_t(topHeight / options.layerDepth));
   for (const VelocitySweep& sweep : volume.sweeps)
   {

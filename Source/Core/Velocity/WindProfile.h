@@ -3,6 +3,7 @@
 
 #include "nexrad/Velocity/VelocityVolume.h"
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -16,13 +17,10 @@ struct Wind
   double east = 0.0;  ///< towards the east
   double north = 0.0; ///< towards the north
 
-  double Speed() const;
+  double Speed() const { return std::hypot(east, north); }
   /// The direction that the wind comes from, degrees clockwise from north, 0…360.
   double Direction() const;
 };
-
-/// The wind of given speed, m/s, from a direction, degrees clockwise from north.
-Wind WindFrom(double direction, double speed);
 
 /// The wind at one height over a radar.
 struct ProfileLevel
@@ -48,9 +46,8 @@ struct WindProfile
 /// Which gates a wind profile is fitted to.
 struct ProfileOptions
 {
-  double layerDepth = 300.0;  ///< m of height that one level stands for; above 0
-  double nearest = 3'000.0;   ///< m of ground distance; closer in, side lobes see the ground
-  double farthest = 60'000.0; ///< m of ground distance; above `nearest`
+  double layerDepth = 300.0;  ///< m of height that one level stands for; at least 10
+  double farthest = 60'000.0; ///< m of ground distance; above 3 km, from which on gates count
 };
 
 /// The wind profile of a volume whose velocities are dealiased (Formulas V3): the velocity-azimuth
@@ -63,7 +60,7 @@ struct ProfileOptions
 /// A layer has no level when fewer than half of the twelve sectors of 30° have 10 gates, when the
 /// root mean square is above 5 m/s, or when a0 is farther from 0 than 7 m/s: then the wind is not
 /// the same in all directions (the weather service's algorithm has the like limits). Heights are
-/// the middles of the layers, above the antenna. Throws Error for options out of their range.
+/// the middles of the layers, above the antenna.
 WindProfile FitWindProfile(const VelocityVolume& volume, const ProfileOptions& options = {});
 
 } // namespace nexrad

@@ -48,15 +48,15 @@ void ScannedDay::AddSite(const std::vector<SimulatedVolume>& plan)
     starts.push_back(volume.start);
     ends.push_back(volume.start + VolumePeriod(volume.coveragePattern));
   }
-  const VolumeBracket bracket = FindBracket(starts, time, 15min);
+  const std::vector<std::size_t> bracket = FindBracket(starts, time, 15min);
   Scanned site;
   for (const std::size_t index : FindVolumesAbout(starts, ends, time, 15min))
   {
-    if (index == bracket.before.value())
+    if (index == bracket.at(0))
     {
       site.before = site.volumes.size();
     }
-    if (index == bracket.after.value())
+    if (index == bracket.at(1))
     {
       site.after = site.volumes.size();
     }

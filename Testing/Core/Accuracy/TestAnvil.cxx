@@ -345,7 +345,7 @@ TEST(RealAnvil, TopsOfAnAnvilDoNotFollowTheTilts)
       BeamMergeOptions options;
       options.trend = trend;
       BeamMerger merger(grid, options);
-      const auto merged = merger.Merge({&volume}, time, ThreadLoop(2));
+      const auto merged = MergePolar(merger, {&volume}, time, ThreadLoop(2));
       const auto ripple = RippleBetween(*merged, 40, 56);
       std::printf(
         "%s at %s %-6s ripple %4.0f m about a parabola for each azimuth, %4.0f m about one\n", file,

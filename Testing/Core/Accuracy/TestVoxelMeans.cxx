@@ -6,6 +6,7 @@
 #include "ScannedDay.h"
 #include "TestData.h"
 #include "Tolerance.h"
+#include "nexrad/Beams/SweepMeans.h"
 #include "nexrad/Geometry/Angles.h"
 #include "nexrad/Gridding/BeamMerge.h"
 #include "nexrad/Level2/Level2File.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TiltSchemes.h"
 
+#include "PolarMerge.h"
 #include "nexrad/Geometry/Angles.h"
 
 #include <algorithm>
@@ -193,7 +194,7 @@ MergedScheme::MergedScheme(
 {
   const double top = std::min(18'000.0, beam.HeightOver(farthest, highest));
   BeamMerger merger(GridAbout(*from.site.position, farthest, top), options);
-  volume = *merger.Merge({&from}, from.start, ThreadLoop(2));
+  volume = *testing::MergePolar(merger, {&from}, from.start, ThreadLoop(2));
 }
 
 ElevationProfile MergedScheme::ProfileAt(double azimuth, double range) const

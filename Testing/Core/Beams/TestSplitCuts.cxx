@@ -225,10 +225,11 @@ TEST(SplitCuts, EchoBeyondTheDopplerHalfStaysAtKVWX)
   const RadarVolume file = ReadLevel2(data / "level2/legacy/KVWX_20050626_221551.gz");
   const PolarVolume volume = MakePolarVolume(file, MomentName::REF);
   BeamMerger merger(GridAbout(volume.site, 90));
+  const BeamVolumes ready = PrepareAll(merger, {&volume});
   std::vector<std::size_t> counts;
   for (const char* time : {"2005-06-26T22:19:12Z", "2005-06-26T22:21:44Z"})
   {
-    const auto merged = merger.Merge({&volume}, *ParseIso8601(time), ThreadLoop(2));
+    const auto merged = merger.Merge(ready, *ParseIso8601(time), nullptr, ThreadLoop(2));
     std::size_t count = 0;
     const auto visit = [&](const SeenVoxel& voxel)
     {
@@ -252,10 +253,11 @@ TEST(SplitCuts, LowestVoxelsOfTDALAreRenewedEachMinute)
   BeamMergeOptions options;
   options.ancillary = true;
   BeamMerger merger(GridAbout(volume.site, 34), options);
+  const BeamVolumes ready = PrepareAll(merger, {&volume});
   for (const char* time : {"2019-10-21T02:16:00Z", "2019-10-21T02:16:30Z", "2019-10-21T02:17:00Z",
          "2019-10-21T02:17:30Z", "2019-10-21T02:18:00Z", "2019-10-21T02:18:30Z"})
   {
-    const auto merged = merger.Merge({&volume}, *ParseIso8601(time), ThreadLoop(2));
+    const auto merged = merger.Merge(ready, *ParseIso8601(time), nullptr, ThreadLoop(2));
     const auto columns = static_cast<std::size_t>(merged->grid.dimensions[0]) *
                          static_cast<std::size_t>(merged->grid.dimensions[1]);
     std::vector<float> ages(columns, -1.0F);

@@ -174,7 +174,7 @@ TEST(StrayRays, LeaveNoWedgeAtKBGM)
   grid.centreLatitude = volume.site.position->latitude;
   grid.centreLongitude = volume.site.position->longitude;
   BeamMerger merger(grid);
-  const auto merged = merger.Merge({&volume}, volume.end, ThreadLoop(2));
+  const auto merged = MergePolar(merger, {&volume}, volume.end, ThreadLoop(2));
   std::size_t seen = 0;
   const auto visit = [&](const SeenVoxel& voxel)
   {

@@ -2,6 +2,7 @@
 // Formulas G10: voxels coarser than gates and rays are means of them, others stay as they are.
 #include "BeamScene.h"
 #include "Tolerance.h"
+#include "nexrad/Beams/SweepMeans.h"
 #include "nexrad/Geometry/Angles.h"
 #include "nexrad/Gridding/BeamSampling.h"
 

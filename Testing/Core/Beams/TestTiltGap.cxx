@@ -110,21 +110,21 @@ TEST(TiltGap, TakesWhatIsMeasuredAlone)
 
 TEST(EchoLayers, AddChangesThatVanishAtTheTilts)
 {
-  const EchoLayers::Curve changes({{4.0F, -2.0F, 6.0F}, 40.0F});
-  EXPECT_FLOAT_EQ(changes.Change(20.0F, 0.0F), 20.0F);
-  EXPECT_FLOAT_EQ(changes.Change(20.0F, 0.125F), 22.0F);
-  EXPECT_FLOAT_EQ(changes.Change(20.0F, 0.25F), 24.0F);
-  EXPECT_FLOAT_EQ(changes.Change(20.0F, 0.375F), 21.0F);
-  EXPECT_FLOAT_EQ(changes.Change(20.0F, 0.75F), 26.0F);
-  EXPECT_FLOAT_EQ(changes.Change(20.0F, 1.0F), 20.0F);
+  const EchoLayers::Changes changes = {{0.0F, 4.0F, -2.0F, 6.0F, 0.0F}, 40.0F};
+  EXPECT_FLOAT_EQ(changes.Apply(20.0F, 0.0F), 20.0F);
+  EXPECT_FLOAT_EQ(changes.Apply(20.0F, 0.125F), 22.0F);
+  EXPECT_FLOAT_EQ(changes.Apply(20.0F, 0.25F), 24.0F);
+  EXPECT_FLOAT_EQ(changes.Apply(20.0F, 0.375F), 21.0F);
+  EXPECT_FLOAT_EQ(changes.Apply(20.0F, 0.75F), 26.0F);
+  EXPECT_FLOAT_EQ(changes.Apply(20.0F, 1.0F), 20.0F);
 }
 
 TEST(EchoLayers, RaiseNoEchoAboveTheStrongestAtEqualHeight)
 {
-  const EchoLayers::Curve changes({{4.0F, -2.0F, 6.0F}, 22.0F});
-  EXPECT_FLOAT_EQ(changes.Change(20.0F, 0.25F), 22.0F);
-  EXPECT_FLOAT_EQ(changes.Change(25.0F, 0.25F), 25.0F) << "what is stronger already is left";
-  EXPECT_FLOAT_EQ(changes.Change(25.0F, 0.5F), 23.0F) << "and weakened where layers say so";
+  const EchoLayers::Changes changes = {{0.0F, 4.0F, -2.0F, 6.0F, 0.0F}, 22.0F};
+  EXPECT_FLOAT_EQ(changes.Apply(20.0F, 0.25F), 22.0F);
+  EXPECT_FLOAT_EQ(changes.Apply(25.0F, 0.25F), 25.0F) << "what is stronger already is left";
+  EXPECT_FLOAT_EQ(changes.Apply(25.0F, 0.5F), 23.0F) << "and weakened where layers say so";
 }
 
 namespace

@@ -431,19 +431,8 @@ TEST(BeamMerge, FillingIsAnOption)
   EXPECT_GT(Count(filled, VoxelState::Echo), Count(open, VoxelState::Echo));
 }
 
-TEST(BeamMerge, SaysWhatIsWrong)
+TEST(BeamMerge, RefusesAGridWithoutVoxels)
 {
-  BeamMerger merger(SceneGrid());
-  PolarVolume nowhere = VolumeOf({UniformSweep(1, 1.0, 20.0F)});
-  nowhere.site.position.reset();
-  EXPECT_THROW(merger.Merge({&nowhere}, sceneTime), Error);
-  const PolarVolume reflectivity = VolumeOf({UniformSweep(1, 1.0, 20.0F)});
-  PolarVolume velocity = reflectivity;
-  velocity.moment = MomentName::VEL;
-  EXPECT_THROW(merger.Merge({&reflectivity, &velocity}, sceneTime), Error);
-  BeamMergeOptions options;
-  options.overlapLength = 0.0;
-  EXPECT_THROW(BeamMerger(SceneGrid(), options), Error);
   GridSpecification empty = SceneGrid();
   empty.dimensions[2] = 0;
   EXPECT_THROW(BeamMerger{empty}, Error);
@@ -462,5 +451,5 @@ TEST(BeamMerge, StopsWhenAskedTo)
 {
   const PolarVolume volume = VolumeOf({UniformSweep(1, 1.0, 20.0F)});
   BeamMerger merger(SceneGrid());
-  EXPECT_FALSE(merger.Merge({&volume}, sceneTime, {}, [](double) { return false; }));
+  EXPECT_FALSE(MergePolar(merger, {&volume}, sceneTime, {}, [](double) { return false; }));
 }

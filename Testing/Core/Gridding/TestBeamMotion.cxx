@@ -50,7 +50,7 @@ GriddedVolume MergeMoving(const std::vector<PolarVolume>& volumes, double second
   }
   BeamMerger merger(grid, options);
   const Time time = sceneTime + Duration(std::llround(seconds * 1000.0));
-  return *merger.Merge(merger.Prepare(pointers), time, motion, loop);
+  return *merger.Merge(PrepareAll(merger, pointers), time, motion, loop);
 }
 
 // Largest difference from the field in dBZ over the voxels between the tilts 0.5° and 6° where it

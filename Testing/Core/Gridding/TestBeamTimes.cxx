@@ -318,27 +318,19 @@ TEST(BeamOverlap, TheResultDoesNotDependOnHowTheRowsAreRun)
       work(i, i + 1);
     }
   };
-  const auto once = BeamMerger(SceneGrid()).Merge(pointers, sceneTime);
+  const auto merge = [](const std::vector<const PolarVolume*>& volumes, const RangeLoop& loop)
+  {
+    BeamMerger merger(SceneGrid());
+    return MergePolar(merger, volumes, sceneTime, loop);
+  };
+  const auto once = merge(pointers, {});
   for (const RangeLoop& loop : {backwards, ThreadLoop(1), ThreadLoop(2), ThreadLoop(7)})
   {
-    const auto again = BeamMerger(SceneGrid()).Merge(pointers, sceneTime, loop);
+    const auto again = merge(pointers, loop);
     EXPECT_EQ(again->values, once->values);
     EXPECT_EQ(again->states, once->states);
   }
   // The order in which the volumes come makes no difference either.
-  const auto turned = BeamMerger(SceneGrid()).Merge({&radars[1], &radars[0]}, sceneTime);
+  const auto turned = merge({&radars[1], &radars[0]}, {});
   EXPECT_EQ(turned->values, once->values);
-}
-
-// Of the volumes that a merger saw, those of its last merge are kept: changing one that it knows by
-// its times shows that it is not prepared again.
-TEST(BeamOverlap, AVolumeIsMadeReadyOnceARun)
-{
-  PolarVolume volume = OneTilt(0.0, 20.0F);
-  BeamMerger merger(SceneGrid());
-  merger.Merge({&volume}, sceneTime);
-  ChangeGates(volume.sweeps[0], [](NumberSweep& sweep) { SetAll(sweep, 50.0F); });
-  EXPECT_NEAR(ValueAt(*merger.Merge({&volume}, sceneTime + Duration(1000)), 38, 30, 4), 20.0, 1e-3);
-  merger.Merge({}, sceneTime);
-  EXPECT_NEAR(ValueAt(*merger.Merge({&volume}, sceneTime), 38, 30, 4), 50.0, 1e-3);
 }

@@ -3,10 +3,10 @@
 // day and on a run of real volumes. The middle one of each three volumes of a radar is left out and
 // rebuilt, from volumes on a grid (A2) and by the merge (A2a); the tables are printed.
 #include "Motion/LeaveOneOut.h"
+#include "PolarMerge.h"
 #include "TestData.h"
 #include "Tolerance.h"
 #include "nexrad/Grid/MakeGrid.h"
-#include "nexrad/Gridding/BeamMerge.h"
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Model/Elevation.h"
 #include "nexrad/Motion/MotionTracker.h"
@@ -25,6 +25,7 @@
 #include <vector>
 
 using namespace nexrad;
+using namespace nexrad::testing;
 using namespace std::chrono_literals;
 
 namespace
@@ -46,7 +47,8 @@ std::string Describe(const char* site, Method method, int columns)
 // One volume on the grid, as it was scanned: what it holds is not moved to one time.
 GriddedVolume GridAlone(const PolarVolume& volume, const GridSpecification& grid, Method method)
 {
-  return method == Method::Beam ? BeamMerger(grid).Merge({&volume}, volume.start).value()
+  BeamMerger merger(grid);
+  return method == Method::Beam ? MergePolar(merger, {&volume}, volume.start).value()
                                 : MergeThesis({{&volume, nullptr}}, grid, volume.start).value();
 }
 
@@ -132,8 +134,8 @@ LeaveOneOutScore ScoreMerge(const PolarVolume& first, const PolarVolume& middle,
   const PolarVolume observed = CountFrom(middle, middle, zero);
   const PolarVolume after = CountFrom(middle, last, zero);
   BeamMerger merger(grid);
-  const GriddedVolume wanted = merger.Merge({&observed}, zero).value();
-  const BeamVolumes ready = merger.Prepare({&before, &after});
+  const GriddedVolume wanted = MergePolar(merger, {&observed}, zero).value();
+  const BeamVolumes ready = PrepareAll(merger, {&before, &after});
   const auto motion = MotionTracker(grid).Find(ready, zero);
   LeaveOneOutScore score;
   score.linear = ScoreRebuilt(merger.Merge(ready, zero, nullptr).value(), wanted);

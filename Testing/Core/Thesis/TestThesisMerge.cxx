@@ -264,7 +264,6 @@ TEST(MergeThesis, NothingInNothingOut)
   const GriddedVolume volume = Merge({}, After(0.0));
   EXPECT_EQ(volume.states.size(), 8'000u);
   EXPECT_EQ(std::count(volume.states.begin(), volume.states.end(), VoxelState::NotScanned), 8'000);
-  EXPECT_TRUE(Merge({{nullptr, nullptr}}, After(0.0)).sites.empty());
 }
 
 TEST(MergeThesis, SimulatedInputIsMarked)
@@ -293,11 +292,8 @@ TEST(MergeThesis, StopsWhenAsked)
   EXPECT_DOUBLE_EQ(last, 1.0);
 }
 
-TEST(MergeThesis, RefusesASiteWithoutPosition)
+TEST(MergeThesis, RefusesAGridWithoutVoxels)
 {
-  PolarVolume lost = MakeVolume(here, 0.0, {EastRay()});
-  lost.site.position.reset();
-  EXPECT_THROW(MergeThesis({{&lost, nullptr}}, SmallGrid(), After(0.0)), Error);
   GridSpecification none = SmallGrid();
   none.dimensions[1] = 0;
   EXPECT_THROW(MergeThesis({}, none, After(0.0)), Error);

@@ -59,7 +59,7 @@ bool IsSmooth(const VelocitySweep& truth, std::size_t index, float nyquist)
   {
     for (const std::size_t other : {(row - 1) % size, row % size, (row + 1) % size})
     {
-      const bool near = truth.states[other] == VelocityState::Valid &&
+      const bool near = truth.states[other] == GateState::Valid &&
                         std::abs(truth.values[other] - truth.values[index]) < 0.5F * nyquist;
       like += near ? 1 : 0;
     }
@@ -72,11 +72,11 @@ void AddSweep(const VelocitySweep& truth, const VelocitySweep& result, FoldScore
   std::vector<char> wrong(truth.values.size(), 0);
   for (std::size_t index = 0; index < truth.values.size(); ++index)
   {
-    if (truth.states[index] != VelocityState::Valid)
+    if (truth.states[index] != GateState::Valid)
     {
       continue;
     }
-    const bool known = result.states[index] == VelocityState::Valid;
+    const bool known = result.states[index] == GateState::Valid;
     const bool right = known && std::abs(result.values[index] - truth.values[index]) < 1.0F;
     wrong[index] = known && !right ? 1 : 0;
     score.unknown += known ? 0 : 1;
@@ -94,6 +94,16 @@ void AddSweep(const VelocitySweep& truth, const VelocitySweep& result, FoldScore
     {
       score.largestPatch = std::max(score.largestPatch, PatchSize(wrong, index, truth.gates));
     }
+  }
+}
+
+void CountJump(float a, float b, float nyquist, JumpCounts& counts)
+{
+  const float difference = std::abs(a - b);
+  if (nyquist > 0.0F && !std::isnan(difference))
+  {
+    ++counts.pairs;
+    counts.jumps += difference > nyquist ? 1 : 0;
   }
 }
 
@@ -122,6 +132,37 @@ FoldScore CompareFolds(const VelocityVolume& truth, const VelocityVolume& result
     AddSweep(truth.sweeps[sweep], result.sweeps.at(sweep), score);
   }
   return score;
+}
+
+double JumpCounts::Share() const
+{
+  return pairs == 0 ? 0.0 : 100.0 * static_cast<double>(jumps) / static_cast<double>(pairs);
+}
+
+JumpCounts CountJumps(const VelocityVolume& volume)
+{
+  JumpCounts counts;
+  for (const VelocitySweep& sweep : volume.sweeps)
+  {
+    const SweepRing ring = MakeSweepRing(sweep);
+    for (std::size_t row = 0; row < ring.rows; ++row)
+    {
+      const float* here = &ring.velocity[row * ring.gates];
+      const float* next = &ring.velocity[ring.NextRow(row) * ring.gates];
+      for (std::size_t gate = 0; gate < ring.gates; ++gate)
+      {
+        if (gate + 1 < ring.gates)
+        {
+          CountJump(here[gate], here[gate + 1], ring.nyquist[row], counts);
+        }
+        if (ring.beside[row] != 0)
+        {
+          CountJump(here[gate], next[gate], ring.nyquist[row], counts);
+        }
+      }
+    }
+  }
+  return counts;
 }
 
 } // namespace nexrad::testing

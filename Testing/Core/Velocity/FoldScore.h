@@ -31,4 +31,16 @@ struct FoldScore
 /// Compares gates that are valid in the truth. Velocities within 1 m/s have the same fold.
 FoldScore CompareFolds(const VelocityVolume& truth, const VelocityVolume& result);
 
+/// Pairs of neighbouring gates (in range, and in azimuth) of a volume, and those of them that
+/// differ by more than the Nyquist velocity (Formulas V4). Rays without one are left out.
+struct JumpCounts
+{
+  std::size_t pairs = 0;
+  std::size_t jumps = 0;
+
+  /// Percent of the pairs.
+  double Share() const;
+};
+JumpCounts CountJumps(const VelocityVolume& volume);
+
 } // namespace nexrad::testing

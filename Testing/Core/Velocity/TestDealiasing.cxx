@@ -244,7 +244,7 @@ TEST(Dealiasing, LeavesUnknownWhatNothingDecides)
   EXPECT_AT_LEAST(counts.unknown, 150u, "gates without a fold");
   for (std::size_t index = 0; index < volume.sweeps[0].values.size(); ++index)
   {
-    EXPECT_EQ(volume.sweeps[0].states[index] == VelocityState::Valid,
+    EXPECT_EQ(volume.sweeps[0].states[index] == GateState::Valid,
       !std::isnan(volume.sweeps[0].values[index]));
   }
 }

@@ -60,7 +60,7 @@ void Add(const Spike& spike, VelocityVolume& volume)
           const double even = static_cast<double>(generator()) / 2147483648.0 - 1.0;
           value = std::remainder(static_cast<float>(spike.velocity + spike.noise * even),
             2.0F * sweep.rays[ray].nyquist);
-          sweep.states[sweep.Index(ray, gate)] = VelocityState::Valid;
+          sweep.states[sweep.Index(ray, gate)] = GateState::Valid;
         }
       }
     }
@@ -86,10 +86,10 @@ double PercentMoved(
       for (std::size_t gate = 0; gate < sweep.gates; ++gate)
       {
         const std::size_t index = sweep.Index(ray, gate);
-        if (IsIn(spike, sweep, ray, gate) && sweep.states[index] == VelocityState::Valid)
+        if (IsIn(spike, sweep, ray, gate) && sweep.states[index] == GateState::Valid)
         {
           ++all;
-          moved += after.sweeps[each].states[index] == VelocityState::Valid &&
+          moved += after.sweeps[each].states[index] == GateState::Valid &&
                        after.sweeps[each].values[index] != sweep.values[index] &&
                        std::abs(static_cast<double>(after.sweeps[each].values[index])) > speed
                      ? 1
@@ -218,8 +218,9 @@ TEST(FoldSupport, TheFastestWindRisesWithTheHeight)
 TEST(FoldSupport, LeavesARealSpikeAsItIsOrUnknown)
 {
   NEXRAD_REQUIRE_TEST_DATA(folder);
-  const VelocityVolume before = MakeVelocityVolume(
-    ReadLevel2(folder / "reports" / "radar" / "interference-unfolded" / "KLOT20210625_075154_V06"));
+  const VelocityVolume before = MakeVelocityVolume(MakePolarVolume(
+    ReadLevel2(folder / "reports" / "radar" / "interference-unfolded" / "KLOT20210625_075154_V06"),
+    MomentName::VEL));
   VelocityVolume after = before;
   Dealias(after);
   Spike spike;
@@ -236,7 +237,8 @@ TEST(FoldSupport, LeavesSpikesInRealVolumesAsTheyAreOrUnknown)
   for (const char* name : {"superres/KLSX20130206_175044_V06.gz",
          "superres/KTLX20190715_120037_V06", "legacy/KVWX_20050626_221551.gz"})
   {
-    const VelocityVolume volume = MakeVelocityVolume(ReadLevel2(folder / "level2" / name));
+    const VelocityVolume volume =
+      MakeVelocityVolume(MakePolarVolume(ReadLevel2(folder / "level2" / name), MomentName::VEL));
     double most = 0.0;
     for (const double azimuth : {20.0, 110.0, 200.0, 290.0})
     {

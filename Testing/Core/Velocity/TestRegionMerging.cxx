@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Formulas V2: regions made by hand, and what their borders ask for.
-#include "nexrad/Velocity/RegionMerging.h"
+#include "nexrad/Velocity/VelocityRegions.h"
 
 #include <gtest/gtest.h>
 

@@ -116,8 +116,8 @@ TEST(AzimuthalShear, IsVoidWhereAThirdOfTheWindowIs)
 TEST(AzimuthalShear, IsLargestInATornado)
 {
   NEXRAD_REQUIRE_TEST_DATA(folder);
-  VelocityVolume volume =
-    MakeVelocityVolume(ReadLevel2(folder / "level2/legacy/KTLX19990503_235621.gz"));
+  VelocityVolume volume = MakeVelocityVolume(
+    MakePolarVolume(ReadLevel2(folder / "level2/legacy/KTLX19990503_235621.gz"), MomentName::VEL));
   Dealias(volume);
   const VelocitySweep& sweep = volume.sweeps.front();
   const std::vector<float> shear = AzimuthalShear(sweep);

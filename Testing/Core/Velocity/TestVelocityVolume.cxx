@@ -39,7 +39,8 @@ HandMadeVolume Example()
 
 TEST(VelocityVolume, HoldsNumbersAndStates)
 {
-  const VelocityVolume volume = MakeVelocityVolume(MakeRadarVolume(Example()));
+  const VelocityVolume volume =
+    MakeVelocityVolume(MakePolarVolume(MakeRadarVolume(Example()), MomentName::VEL));
   ASSERT_EQ(volume.sweeps.size(), 1u);
   const VelocitySweep& sweep = volume.sweeps[0];
   ASSERT_EQ(sweep.rays.size(), 360u);
@@ -47,11 +48,11 @@ TEST(VelocityVolume, HoldsNumbersAndStates)
   EXPECT_EQ(sweep.RangeOf(2), 1000.0);
   EXPECT_EQ(sweep.rays[7].nyquist, 25.0F);
   const std::size_t first = sweep.Index(7, 0);
-  EXPECT_EQ(sweep.states[first], VelocityState::BelowThreshold);
-  EXPECT_EQ(sweep.states[first + 1], VelocityState::RangeFolded);
+  EXPECT_EQ(sweep.states[first], GateState::BelowThreshold);
+  EXPECT_EQ(sweep.states[first + 1], GateState::RangeFolded);
   EXPECT_EQ(sweep.values[first + 2], 0.0F);
   EXPECT_EQ(sweep.values[first + 3], 1.0F);
   // Nothing measures 94.5 m/s at a Nyquist velocity of 25 m/s.
-  EXPECT_EQ(sweep.states[first + 4], VelocityState::NotSampled);
+  EXPECT_EQ(sweep.states[first + 4], GateState::NotSampled);
   EXPECT_TRUE(std::isnan(sweep.values[first + 4]));
 }

@@ -39,7 +39,7 @@ VelocitySweep ScanSweep(const VelocityScan& scan, double elevation, std::mt19937
       360.0 * (static_cast<double>(ray) + 0.5) / static_cast<double>(scan.rays);
     const double sine = std::sin(azimuth * RadiansPerDegree);
     const double cosine = std::cos(azimuth * RadiansPerDegree);
-    sweep.rays.push_back({static_cast<float>(azimuth), static_cast<float>(elevation), 0.0F, {}});
+    sweep.rays.push_back({static_cast<float>(azimuth), static_cast<float>(elevation), 0.0F});
     for (std::size_t gate = 0; gate < scan.gates; ++gate)
     {
       const BeamPoint point = beam.Locate(sweep.RangeOf(gate), elevation);
@@ -50,7 +50,7 @@ VelocitySweep ScanSweep(const VelocityScan& scan, double elevation, std::mt19937
       const Wind wind = scan.wind(place);
       const double radial =
         (wind.east * sine + wind.north * cosine) * std::cos(elevation * RadiansPerDegree);
-      sweep.states.push_back(echo ? VelocityState::Valid : VelocityState::BelowThreshold);
+      sweep.states.push_back(echo ? GateState::Valid : GateState::BelowThreshold);
       sweep.values.push_back(
         echo ? static_cast<float>(radial + noise) : std::numeric_limits<float>::quiet_NaN());
     }
@@ -64,8 +64,6 @@ VelocityVolume ScanVelocities(const VelocityScan& scan)
 {
   std::mt19937 generator(14);
   VelocityVolume volume;
-  volume.site.name = "KTST";
-  volume.synthetic = true;
   for (const double elevation : scan.elevations)
   {
     volume.sweeps.push_back(ScanSweep(scan, elevation, generator));

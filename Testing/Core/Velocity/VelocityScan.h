@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Scans/WindFrom.h"
 #include "nexrad/Velocity/VelocityVolume.h"
-#include "nexrad/Velocity/WindProfile.h"
 
 #include <cstddef>
 #include <functional>

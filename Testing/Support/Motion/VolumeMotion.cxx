@@ -10,12 +10,8 @@ namespace nexrad
 
 MotionImage ColumnMaximum(const GriddedVolume& volume)
 {
-  MotionImage image;
-  image.columns = volume.grid.dimensions[0];
-  image.rows = volume.grid.dimensions[1];
-  const std::size_t pixels = image.Index(0, image.rows);
-  image.values.assign(pixels, 0.0F);
-  image.scanned.assign(pixels, 0);
+  MotionImage image(volume.grid.dimensions[0], volume.grid.dimensions[1]);
+  const std::size_t pixels = image.values.size();
   for (std::size_t first = 0; first < volume.values.size(); first += pixels)
   {
     for (std::size_t pixel = 0; pixel < pixels; ++pixel)

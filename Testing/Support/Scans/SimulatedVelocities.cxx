@@ -38,7 +38,7 @@ SimulatedVelocities SimulateVelocities(const std::string& site, int pattern, boo
   SimulatedVelocities result;
   result.volume = ScanVolume(StormField(), {site, FindSite(site)->position}, pattern,
     *ParseIso8601("2006-03-12T18:30Z"), options, &truth);
-  result.folded = MakeVelocityVolume(result.volume);
+  result.folded = MakeVelocityVolume(MakePolarVolume(result.volume, MomentName::VEL));
   result.truth = result.folded;
   std::size_t next = 0;
   for (std::size_t cut = 0; cut < result.volume.sweeps.size(); ++cut)
@@ -55,13 +55,7 @@ PolarVolume PolarVelocities(const VelocityVolume& velocities, PolarVolume folded
 {
   for (std::size_t i = 0; i < folded.sweeps.size(); ++i)
   {
-    std::vector<GateState> states;
-    for (const VelocityState state : velocities.sweeps[i].states)
-    {
-      states.push_back(
-        state == VelocityState::Unknown ? GateState::NotSampled : static_cast<GateState>(state));
-    }
-    SetGates(folded.sweeps[i], velocities.sweeps[i].values, states);
+    SetGates(folded.sweeps[i], velocities.sweeps[i].values, velocities.sweeps[i].states);
   }
   return folded;
 }
