@@ -115,9 +115,7 @@ TEST(GeoTiff, ProductsAreThoseOfTheCore)
   const TemporaryFolder folder;
   const GriddedVolume volume = MakeColumns();
   const fs::path input = folder.Path() / "volume.nxv";
-  NxvWriteOptions exact;
-  exact.encoding = NxvEncoding::Float;
-  WriteNxv(input, volume, exact);
+  WriteNxv(input, volume, NxvEncoding::Float);
   unsetenv("DISPLAY"); // none is needed
   const VoxelLines lines = LinesOf(volume);
   const ColumnProduct tops = MakeEchoTops(lines, 25.0);

@@ -4,7 +4,7 @@
 #include "TestData.h"
 #include "Tolerance.h"
 #include "nexrad/Codec/NxvFile.h"
-#include "nexrad/Grid/RadarView.h"
+#include "nexrad/Grid/SiteGeometry.h"
 #include "vtkNexradVolumeReader.h"
 
 #include "vtkDataArray.h"

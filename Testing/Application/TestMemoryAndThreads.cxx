@@ -4,7 +4,7 @@
 #include "ProgramRun.h"
 #include "TestData.h"
 #include "Tolerance.h"
-#include "Volumes/StepWriter.h"
+#include "Volumes/VolumeFiles.h"
 #include "nexrad/Merging/MemoryNeed.h"
 #include "nexrad/Series/InputFiles.h"
 #include "vtkNexradThreads.h"
@@ -125,7 +125,7 @@ TEST_F(MemoryAndThreads, AncillaryArraysAndMomentsTakeWhatIsEstimated)
 {
   MergeOptions options;
   options.grid.dimensions = {320, 320, 128};
-  options.furtherMoments = {MomentName::VEL};
+  options.moments = {MomentName::REF, MomentName::VEL};
   options.beam.ancillary = true;
   ExpectEstimate(options, {}, {"--moment", "REF,VEL", "--ancillary"});
 }

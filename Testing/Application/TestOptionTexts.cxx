@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Options that are written from a request, and read again.
 #include "ErrorMessage.h"
-#include "Options/OptionTexts.h"
+#include "Options/DrawingOptions.h"
 
 #include "Scene/DrawingSettings.h"
 #include "TestData.h"
@@ -185,7 +185,7 @@ TEST(OptionTexts, OptionsThatAreNotOfTheMomentsAreLeftOut)
   request.input.momentNamed = true;
   const auto textOf = [&](MomentName moment)
   {
-    request.input.grid.moment = moment;
+    request.input.grid.moments = {moment};
     return Joined(OptionTextsOf(request));
   };
   EXPECT_EQ(

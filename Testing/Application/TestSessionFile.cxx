@@ -2,7 +2,7 @@
 #include "ErrorMessage.h"
 #include "Options/SessionFile.h"
 
-#include "Options/OptionTexts.h"
+#include "Options/DrawingOptions.h"
 #include "TestData.h"
 #include "nexrad/System/Error.h"
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Commands/Command.h"
 #include "Commands/CommandLine.h"
 #include "Commands/SimulatedFiles.h"
 #include "TestData.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Files merged as they are decoded against the merge of files that were all scanned before.
 #include "ErrorMessage.h"
+#include "Volumes/UnfinishedRun.h"
 #include "Volumes/WriteVolumes.h"
 
 #include "Comparison/VolumeComparison.h"

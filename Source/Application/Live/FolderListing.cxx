@@ -3,7 +3,6 @@
 
 #include <sys/stat.h>
 
-#include <algorithm>
 #include <system_error>
 #include <utility>
 
@@ -134,15 +133,11 @@ bool FolderListing::List(const fs::path& path, Folder& folder)
 // Adds the file when it is new or has changed.
 void FolderListing::Look(const fs::path& path, File& file, std::vector<ArrivedFile>& arrived)
 {
-  struct stat status = {};
+  std::error_code removed;
   std::error_code failure;
-  if (stat(path.c_str(), &status) != 0)
-  {
-    return; // it was removed
-  }
+  const std::uintmax_t size = fs::file_size(path, removed);
   const FileTime changed = fs::last_write_time(path, failure);
-  const auto size = static_cast<std::uintmax_t>(status.st_size);
-  if (!failure && (file.changed != changed || file.size != size))
+  if (!removed && !failure && (file.changed != changed || file.size != size))
   {
     file.changed = changed;
     file.size = size;

@@ -3,13 +3,10 @@
 
 #include "Output/MessageOutput.h"
 #include "nexrad/Archives/StoredFiles.h"
-#include "nexrad/Level2/ChunkFolder.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
 #include <new>
-#include <set>
-#include <system_error>
 #include <tuple>
 
 namespace fs = std::filesystem;
@@ -31,21 +28,10 @@ std::optional<Time> TimeOfStamp(const std::string& stamp)
                       stamp.substr(13, 2));
 }
 
-std::optional<Time> TimeInHeader(const fs::path& path)
+// Tells the volume of a file from all others: the file, or what its chunks have in common.
+std::string VolumeKey(const fs::path& path, const std::optional<Chunk>& chunk)
 {
-  const auto header = PeekVolumeHeader(path);
-  return header ? header->time : std::nullopt;
-}
-
-ByteView ViewOf(const std::vector<std::uint8_t>& bytes)
-{
-  return {bytes.data(), bytes.size()};
-}
-
-std::size_t CountComplete(const std::vector<SweepArrival>& sweeps)
-{
-  return static_cast<std::size_t>(std::count_if(
-    sweeps.begin(), sweeps.end(), [](const SweepArrival& sweep) { return sweep.complete; }));
+  return chunk ? (path.parent_path() / chunk->volume).string() : path.string();
 }
 
 } // namespace
@@ -61,7 +47,8 @@ void LiveIntake::Arrive(const std::vector<ArrivedFile>& files)
   for (const ArrivedFile& file : files)
   {
     std::optional<Chunk> chunk = ParseChunkName(file.path);
-    const auto time = chunk ? TimeOfStamp(chunk->volume) : TimeInHeader(file.path);
+    const auto time = chunk ? TimeOfStamp(chunk->volume)
+                            : PeekVolumeHeader(file.path).value_or(VolumeHeader()).time;
     queue.push_back({file, std::move(chunk), time});
   }
   if (!files.empty())
@@ -171,10 +158,8 @@ std::vector<IntakeChange> LiveIntake::FinishAll(FolderListing& listing)
   {
     if (!volume.finished && volume.chunks)
     {
-      volume.chunks->SkipMissing();
-      volume.gaveUp = true;
+      GiveUpMissing(volume);
       volume.expired = true;
-      volume.dirty = true;
     }
   }
   return this->Changes();
@@ -184,11 +169,9 @@ std::vector<IntakeChange> LiveIntake::FinishAll(FolderListing& listing)
 void LiveIntake::TakeQueued(const Queued& queued, FolderListing& listing, bool asItIs)
 {
   const fs::path& path = queued.file.path;
-  const std::string key =
-    queued.chunk ? (path.parent_path() / queued.chunk->volume).string() : path.string();
-  const bool known = volumes.count(key) > 0;
-  Volume& volume = volumes[key];
-  if (!known)
+  const auto [place, isNew] = volumes.try_emplace(VolumeKey(path, queued.chunk));
+  Volume& volume = place->second;
+  if (isNew)
   {
     volume.path = queued.chunk ? path.parent_path() : path;
     volume.stamp = queued.chunk ? queued.chunk->volume : "";
@@ -207,8 +190,8 @@ void LiveIntake::TakeQueued(const Queued& queued, FolderListing& listing, bool a
       return;
     }
     std::vector<std::uint8_t> bytes = ReadStoredBytes(path, rules.level2.maximumFileBytes);
-    const ChunkExtent extent =
-      queued.chunk ? ExtentOfChunk(ViewOf(bytes)) : ExtentOfFile(ViewOf(bytes));
+    const ByteView view(bytes.data(), bytes.size());
+    const ChunkExtent extent = queued.chunk ? ExtentOfChunk(view) : ExtentOfFile(view);
     const bool isOld = this->HasSettled(queued.file.changed, extent);
     if (extent != ChunkExtent::Whole && !asItIs && !isOld)
     {
@@ -411,6 +394,13 @@ bool LiveIntake::IsSuperseded(const Volume& volume) const
     });
 }
 
+void LiveIntake::GiveUpMissing(Volume& volume)
+{
+  volume.chunks->SkipMissing();
+  volume.gaveUp = true;
+  volume.dirty = true;
+}
+
 // Of volumes in progress: missing chunks, and those that follow.
 void LiveIntake::GiveUpWaiting()
 {
@@ -431,18 +421,14 @@ void LiveIntake::GiveUpWaiting()
     }
     if (waits && volume.gapSince && now - *volume.gapSince > rules.patience)
     {
-      volume.chunks->SkipMissing();
+      GiveUpMissing(volume);
       volume.gapSince.reset();
-      volume.gaveUp = true;
-      volume.dirty = true;
     }
     const Duration silent = now - volume.lastArrival;
     if (silent > rules.idle || (silent > rules.patience && this->IsSuperseded(volume)))
     {
-      volume.chunks->SkipMissing();
-      volume.gaveUp = true;
+      GiveUpMissing(volume);
       volume.expired = true;
-      volume.dirty = true;
     }
   }
 }
@@ -528,7 +514,8 @@ std::optional<IntakeChange> LiveIntake::ChangeOfChunks(const std::string& key, V
   RadarVolume decoded = volume.chunks->Volume();
   volume.radar = decoded.site.name;
   volume.sweeps = ArrivedSweeps(decoded);
-  const std::size_t complete = CountComplete(volume.sweeps);
+  const auto complete = static_cast<std::size_t>(std::count_if(volume.sweeps.begin(),
+    volume.sweeps.end(), [](const SweepArrival& sweep) { return sweep.complete; }));
   const bool allDecoded = volume.chunks->DecodedCount() == volume.chunks->Count();
   const bool finished = volume.expired || (volume.chunks->HasEnd() && allDecoded);
   const bool changed = volume.again || complete != volume.completeSweeps;
@@ -609,9 +596,7 @@ std::map<std::string, ArrivingRadar> LiveIntake::Radars() const
   }
   for (const auto& [path, file] : waiting)
   {
-    const std::string key =
-      file.queued.chunk ? (path.parent_path() / file.queued.chunk->volume).string() : path.string();
-    const auto volume = volumes.find(key);
+    const auto volume = volumes.find(VolumeKey(path, file.queued.chunk));
     ++radars[volume != volumes.end() ? volume->second.radar : ""].waiting;
   }
   return radars;

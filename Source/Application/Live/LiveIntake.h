@@ -2,9 +2,7 @@
 #pragma once
 
 #include "Live/FolderListing.h"
-#include "Live/LiveClock.h"
-#include "nexrad/Level2/ChunkFolder.h"
-#include "nexrad/Live/ChunkExtent.h"
+#include "nexrad/Level2/Level2File.h"
 #include "nexrad/Live/ChunkedVolume.h"
 #include "nexrad/Live/LiveSeries.h"
 #include "nexrad/Series/VolumeSelection.h"
@@ -21,6 +19,40 @@
 
 namespace nexrad::application
 {
+
+/// A feed that is played again from its records.
+struct ReplayRequest
+{
+  Time begin{};       ///< what the clock shows at the start
+  double speed = 1.0; ///< how many times as fast as the real clock it runs; above 0
+};
+
+/// The clock by which the ages of data are told and chunks are waited for.
+class LiveClock
+{
+public:
+  explicit LiveClock(const std::optional<ReplayRequest>& theReplay)
+    : replay(theReplay)
+  {
+  }
+
+  /// The time in UTC. It jumps as the clock of the machine does.
+  Time Now() const
+  {
+    return replay ? replay->begin + this->Elapsed()
+                  : std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now());
+  }
+  /// Time since the start; it never jumps.
+  Duration Elapsed() const
+  {
+    const std::chrono::duration<double> real = std::chrono::steady_clock::now() - begun;
+    return DurationOf(real.count() * (replay ? replay->speed : 1.0));
+  }
+
+private:
+  const std::optional<ReplayRequest> replay;
+  const std::chrono::steady_clock::time_point begun = std::chrono::steady_clock::now();
+};
 
 /// What became of the files that arrived of one radar, chunks or whole volumes. Each file that
 /// arrived counts once among those that are used, repeated, replacing, refused or old, or it waits.
@@ -177,6 +209,7 @@ private:
   bool Reopen(Volume& volume);
   void AddFile(const Queued& queued, Volume& volume, std::vector<std::uint8_t> bytes);
   void TakeWaiting(FolderListing& listing, bool all);
+  static void GiveUpMissing(Volume& volume);
   void GiveUpWaiting();
   bool IsSuperseded(const Volume& volume) const;
   std::vector<IntakeChange> Changes();

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Commands/Command.h"
+#include "Commands/CommandLine.h"
 
 #include "Live/WatchRun.h"
-#include "Options/GridOptions.h"
 #include "Options/ThreadOptions.h"
 #include "Options/UnitOptions.h"
 #include "Output/MessageOutput.h"
@@ -64,26 +63,27 @@ void AddWaiting(CLI::App& command, WatchJob& job)
   AddParsedOption(command, "--poll", job.poll, ParsePoll, "DURATION",
     "Time between two listings of the folders", "0.25s")
     ->group(group);
-  AddParsedOption(command, "--patience", job.intake.patience, ParseDuration, "DURATION",
+  const auto add =
+    [&command](const char* name, auto& duration, const char* description, const char* usual = "")
+  {
+    AddParsedOption(command, name, duration, ParseDuration, "DURATION", description, usual)
+      ->group(group);
+  };
+  add("--patience", job.intake.patience,
     "How long a chunk is waited for that is missing or half-written; then what follows it is used "
     "without it. When it comes after all, it is used",
-    "30s")
-    ->group(group);
-  AddParsedOption(command, "--stale", job.stale, ParseDuration, "DURATION",
+    "30s");
+  add("--stale", job.stale,
     "A radar whose newest ray is older is STALE, else LIVE; a volume in progress of which nothing "
     "came for so long is taken as it is",
-    "10min")
-    ->group(group);
-  AddParsedOption(command, "--late", job.late, ParseDuration, "DURATION",
-    "What arrives later than this after the newest ray changes the series no more", "30min")
-    ->group(group);
-  AddParsedOption(command, "--keep", job.keep, ParseDuration, "DURATION",
-    "Remove volumes of the series that are older than this (default: all stay)")
-    ->group(group);
-  AddParsedOption(command, "--stop-after", job.stopAfter, ParseDuration, "DURATION",
+    "10min");
+  add("--late", job.late,
+    "What arrives later than this after the newest ray changes the series no more", "30min");
+  add("--keep", job.keep,
+    "Remove volumes of the series that are older than this (default: all stay)");
+  add("--stop-after", job.stopAfter,
     "End when nothing arrived for so long: all that is there is finished then (default: follow "
-    "until Ctrl+C)")
-    ->group(group);
+    "until Ctrl+C)");
   AddParsedOption(command, "--replay", job.replay, ParseReplay, "TIME,SPEED",
     "The feed is played again: the clock shows TIME at the start, and runs SPEED times as fast. "
     "All durations here but --poll are by that clock")

@@ -2,18 +2,21 @@
 #include "Live/WatchRun.h"
 
 #include "Live/LiveFolder.h"
-#include "Live/LiveStatus.h"
-#include "Live/PictureProcess.h"
 #include "Output/ProgressBar.h"
-#include "nexrad/Grid/GridText.h"
-#include "nexrad/Live/AwaitedEnds.h"
+#include "nexrad/Grid/GridSpecification.h"
 #include "nexrad/Live/LiveSeries.h"
 #include "nexrad/Live/StepBook.h"
 #include "nexrad/System/MachineMemory.h"
 #include "nexrad/System/MessageText.h"
 #include "vtkNexradThreads.h"
 
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <csignal>
 #include <exception>
 #include <set>
 #include <thread>
@@ -39,26 +42,73 @@ constexpr auto intakeTime = std::chrono::milliseconds(500);
 // Real time between two writings of the status when nothing happens but that data grow older.
 constexpr auto statusInterval = std::chrono::seconds(1);
 
-std::vector<std::string> LinesOf(const std::vector<InputProblem>& problems)
-{
-  std::vector<std::string> lines;
-  for (const InputProblem& problem : problems)
-  {
-    lines.push_back(problem.Line());
-  }
-  return lines;
-}
-
 StepRules StepRulesOf(const WatchJob& job)
 {
   return {job.options.step.value_or(DefaultStep), job.options.begin, job.options.end, job.late};
 }
 
+// Draws pictures by `nexrad3d render` in a process of its own, one at a time: what a driver of
+// OpenGL does with memory over days does not stay, and merging does not wait for it. The process
+// gives way to others (nice).
+class PictureProcess
+{
+public:
+  PictureProcess() = default;
+  ~PictureProcess()
+  {
+    if (this->IsRunning())
+    {
+      kill(process, SIGTERM);
+      waitpid(process, nullptr, 0);
+    }
+  }
+  PictureProcess(const PictureProcess&) = delete;
+  PictureProcess& operator=(const PictureProcess&) = delete;
+
+  bool IsRunning()
+  {
+    int ended = 0;
+    if (process != 0 && waitpid(process, &ended, WNOHANG) != 0)
+    {
+      process = 0;
+      status = WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
+    }
+    return process != 0;
+  }
+
+  // Begins to draw with the words of a command line. Where no process can be started, LastStatus is
+  // not 0.
+  void Start(std::vector<std::string> words)
+  {
+    std::vector<char*> arguments;
+    for (std::string& word : words)
+    {
+      arguments.push_back(word.data());
+    }
+    arguments.push_back(nullptr);
+    pid_t started = 0;
+    status = posix_spawn(&started, "/proc/self/exe", nullptr, nullptr, arguments.data(), environ);
+    if (status == 0) // else there are too many processes, or too little memory
+    {
+      constexpr int gently = 10;
+      setpriority(PRIO_PROCESS, static_cast<id_t>(started), gently);
+      process = started;
+    }
+  }
+
+  // Exit status of the last one that ended; below 0: a signal.
+  int LastStatus() const { return status; }
+
+private:
+  int process = 0; // 0: none
+  int status = 0;
+};
+
 class WatchRun
 {
 public:
   WatchRun(const WatchJob& theJob, const LiveClock& theClock, LiveFolder& theFolder,
-    LiveStatus& theStatus, Tell theTell, Tell theComplain)
+    const LiveState& before, LiveStatus& theStatus, Tell theTell, Tell theComplain)
     : job(theJob)
     , tell(std::move(theTell))
     , complain(std::move(theComplain))
@@ -70,7 +120,7 @@ public:
     , folder(theFolder)
     , status(theStatus)
   {
-    this->GoOn();
+    this->GoOn(before);
   }
 
   WatchReport Run()
@@ -97,25 +147,412 @@ public:
   }
 
 private:
-  void GoOn();
-  bool Round();
-  void Rest() const;
-  void Conclude();
-  void Use(std::vector<IntakeChange> changes);
-  void TellEnds();
-  void EndBeforePause(const std::vector<LiveInput>& inputs);
-  void DropStrays();
-  void FollowGrid(const std::optional<GridSpecification>& before);
-  bool MakeNewest();
-  bool MakeSteps(bool all);
-  bool MakeStep(Time step, const std::string& inputs);
-  void Forget();
-  void Draw();
-  std::set<std::string> SilentRadars() const;
-  std::map<std::string, RadarStatus> RadarStates() const;
-  void WriteStatus(const std::string& state);
-  void WriteState() const;
-  void TellProblems(const std::vector<std::string>& lines);
+  // Takes up what an earlier run left.
+  void GoOn(const LiveState& before)
+  {
+    for (const auto& [name, radar] : before.radars)
+    {
+      series.Expect(radar.first, radar.second);
+    }
+    if (before.keepsGrid)
+    {
+      series.KeepGrid();
+    }
+    if (!before.steps.empty())
+    {
+      book.Unpack(before.steps);
+    }
+    if (book.ClosedUntil())
+    {
+      intake.SetOldest(*book.ClosedUntil() - job.options.maximumGap - longestVolume);
+    }
+    status.staleAge = job.stale;
+    status.newestFile = folder.NewestVolume().filename().string();
+    status.pictureFile = job.drawing.empty() ? "" : "newest.png";
+  }
+
+  // Takes what arrived, and makes what follows from it. False when there was nothing to do.
+  bool Round()
+  {
+    intake.Arrive(listing.Poll());
+    this->TellProblems(listing.TakeProblems());
+    this->Use(intake.Take(listing, intakeTime));
+    this->TellEnds();
+    const bool newest = !intake.IsBehind() && this->MakeNewest();
+    const bool steps = this->MakeSteps(false);
+    if (steps)
+    {
+      this->Forget();
+      ReturnFreedMemory();
+      folder.WriteIndex(book.Made());
+      this->WriteState();
+    }
+    this->Draw();
+    if (newest || steps || std::chrono::steady_clock::now() - statusWritten > statusInterval)
+    {
+      this->WriteStatus("running");
+    }
+    return newest || steps || intake.IsBehind();
+  }
+
+  void Rest() const
+  {
+    constexpr auto slice = std::chrono::milliseconds(50); // in which a signal is noticed
+    const auto end = std::chrono::steady_clock::now() + job.poll;
+    while (!IsStopAsked() && std::chrono::steady_clock::now() < end)
+    {
+      std::this_thread::sleep_for(std::min<std::chrono::steady_clock::duration>(
+        slice, end - std::chrono::steady_clock::now()));
+    }
+  }
+
+  // Nothing more comes: all that is there is finished, and each step is made of it.
+  void Conclude()
+  {
+    concluding = true;
+    this->Use(intake.FinishAll(listing));
+    this->MakeNewest();
+    this->MakeSteps(true);
+    folder.WriteIndex(book.Made());
+    this->WriteState();
+    while (picture.IsRunning() && !IsStopAsked())
+    {
+      this->Rest();
+    }
+  }
+
+  void TellProblems(const std::vector<std::string>& lines)
+  {
+    report.problems += lines.size();
+    for (const std::string& line : lines)
+    {
+      complain(line);
+    }
+  }
+
+  void Use(std::vector<IntakeChange> changes)
+  {
+    this->TellProblems(intake.TakeProblems());
+    if (changes.empty())
+    {
+      return;
+    }
+    const auto before = series.HasGrid() ? std::optional(series.Grid()) : std::nullopt;
+    std::vector<LiveInput> inputs;
+    for (IntakeChange& change : changes)
+    {
+      if (change.completed && *change.completed > begun)
+      {
+        waitingSince = std::min(waitingSince.value_or(*change.completed), *change.completed);
+      }
+      inputs.push_back(std::move(change.input));
+    }
+    this->EndBeforePause(inputs);
+    std::vector<ScannedFile> scanned = series.Put(inputs);
+    for (std::size_t i = 0; i < inputs.size(); ++i)
+    {
+      if (!inputs[i].finished)
+      {
+        scanned[i].problems.clear();
+      }
+      ends.Keep(scanned[i]);
+      this->TellProblems(ProblemLines(scanned[i].problems));
+    }
+    if (std::any_of(changes.begin(), changes.end(),
+          [](const IntakeChange& change) { return change.isTakenBack; }))
+    {
+      this->DropStrays();
+    }
+    this->FollowGrid(before);
+    for (const auto& [radar, time] : series.NewestByRadar())
+    {
+      newestRays[radar] = time;
+    }
+    for (const TimeSpan& span : series.Known().Spans())
+    {
+      book.Extend(span.first, span.last);
+    }
+  }
+
+  // Of volumes that lack their end, those of which it is known why.
+  void TellEnds()
+  {
+    const AwaitedEnds::Decided decided = ends.TakeDecided(series.Known(), this->SilentRadars());
+    this->TellProblems(ProblemLines(decided.problems));
+    for (const std::string& note : decided.notes)
+    {
+      tell(note);
+    }
+  }
+
+  // What was scanned before a pause of more than a day is as if nothing more came: its steps are
+  // made before the series leaps over the pause.
+  void EndBeforePause(const std::vector<LiveInput>& inputs)
+  {
+    const std::optional<Time> newest = series.Known().Last();
+    const bool leaps = std::any_of(inputs.begin(), inputs.end(),
+      [&newest](const LiveInput& input)
+      {
+        const std::optional<Time> start = input.volume.Start();
+        return newest && start && *start - *newest > LongestPause;
+      });
+    if (leaps)
+    {
+      this->MakeSteps(true);
+    }
+  }
+
+  // Steps of files that proved to be older than the feed: all of them are taken back, and the book
+  // begins anew, as no step is done with then.
+  void DropStrays()
+  {
+    if (book.ClosedUntil())
+    {
+      return;
+    }
+    this->RemoveSteps();
+    book = StepBook(StepRulesOf(job));
+    newestRays.clear();
+  }
+
+  void RemoveSteps()
+  {
+    for (const Time step : book.Made())
+    {
+      folder.RemoveStep(step);
+    }
+    folder.WriteIndex({});
+  }
+
+  // A radar that comes while all steps may still change makes the domain larger. Later the series
+  // keeps the domain that it has.
+  void FollowGrid(const std::optional<GridSpecification>& before)
+  {
+    if (!series.HasGrid())
+    {
+      return;
+    }
+    if (!before)
+    {
+      std::set<std::string> own;
+      for (const Time step : book.Made())
+      {
+        own.insert(VolumeFileName(step).string());
+      }
+      own.insert(folder.NewestVolume().filename().string());
+      RequireSameGrid(job.output, own, series.Grid());
+    }
+    else if (*before != series.Grid())
+    {
+      this->RemoveSteps();
+      book.Restart();
+    }
+    for (const auto& [radar, time] : series.NewestByRadar())
+    {
+      const std::string note = radar +
+                               " came when the domain was settled: it has no part in its size; "
+                               "give --bounds, or name another folder (-o), for a larger one";
+      if (series.Sites().count(radar) == 0 &&
+          std::find(status.notes.begin(), status.notes.end(), note) == status.notes.end())
+      {
+        status.notes.push_back(note);
+        tell(note);
+      }
+    }
+  }
+
+  // The merged volume at the time of the newest ray. False when there is nothing new.
+  bool MakeNewest()
+  {
+    const std::optional<Time> newest = series.Known().Last();
+    if (!newest)
+    {
+      return false;
+    }
+    const std::string inputs = FormatIso8601(*newest) + series.InputsAt(*newest);
+    if (inputs == newestInputs)
+    {
+      waitingSince.reset();
+      return false;
+    }
+    std::optional<GriddedVolume> volume = series.Merge(*newest, this->Going(), std::move(memory));
+    if (!volume)
+    {
+      return false; // asked to stop
+    }
+    folder.WriteNewest(*volume);
+    memory = std::move(*volume);
+    newestInputs = inputs;
+    status.newest = newest;
+    ++report.newest;
+    if (waitingSince)
+    {
+      status.delays.Add(
+        std::chrono::duration<double>(FileTime::clock::now() - *waitingSince).count());
+      waitingSince.reset();
+    }
+    return true;
+  }
+
+  // Makes the steps that have their last chance, and one more that is due; `all`: all that are due,
+  // as if nothing more came. False when none was due.
+  bool MakeSteps(bool all)
+  {
+    if (!series.Known().Last())
+    {
+      return false;
+    }
+    const std::set<std::string> silent = this->SilentRadars();
+    bool made = false;
+    bool closing = false;
+    // A file that will be taken as soon as it is known to be whole still counts for the steps
+    // before its volume, with which it is merged.
+    const std::optional<Time> waiting = intake.OldestWaiting();
+    const bool mayClose =
+      !waiting || *waiting - job.options.maximumGap > *series.Known().Last() - job.late;
+    for (const Time step : book.Open())
+    {
+      const bool isClosing = mayClose && book.IsClosing(step);
+      const bool settled = all || series.IsSettled(step, silent);
+      closing = closing || isClosing;
+      const std::string inputs = series.InputsAt(step);
+      const bool waits = intake.IsBehind() && !isClosing && !settled;
+      if (waits || !book.IsDue(step, inputs, settled))
+      {
+        continue;
+      }
+      std::optional<GriddedVolume> volume = series.Merge(step, this->Going(), std::move(memory));
+      if (!volume)
+      {
+        return made; // asked to stop
+      }
+      folder.WriteStep(*volume);
+      memory = std::move(*volume);
+      book.Make(step, inputs);
+      ++report.steps;
+      made = true;
+      if (!isClosing && !all)
+      {
+        break; // the newest volume comes first
+      }
+    }
+    if (closing)
+    {
+      series.KeepGrid();
+      book.Close();
+    }
+    return made || closing;
+  }
+
+  void Forget()
+  {
+    if (!book.ClosedUntil() || !series.Known().Last())
+    {
+      return;
+    }
+    const std::vector<Time> open = book.Open();
+    const Time from = open.empty() ? *series.Known().Last() : open.front();
+    series.Forget(from);
+    intake.SetOldest(from - job.options.maximumGap - longestVolume);
+    if (job.keep)
+    {
+      const Time oldest = *series.Known().Last() - *job.keep;
+      for (const Time step : book.Made())
+      {
+        if (step < oldest)
+        {
+          folder.RemoveStep(step);
+        }
+      }
+      book.Drop(oldest);
+    }
+  }
+
+  // Draws the newest volume, unless the one before is still being drawn.
+  void Draw()
+  {
+    const bool drawsNone =
+      status.pictureFile.empty(); // none is asked for, or one could not be drawn
+    if (drawsNone || picture.IsRunning() || !status.newest || drawn == status.newest)
+    {
+      return;
+    }
+    if (picture.LastStatus() != 0)
+    {
+      status.pictureFile.clear();
+      status.notes.push_back("the picture cannot be drawn: see standard error; no more are drawn");
+      complain(status.notes.back());
+      return;
+    }
+    std::vector<std::string> words = {"nexrad3d", "render", folder.NewestVolume().string(), "-o",
+      (job.output / status.pictureFile).string(), "--quiet"};
+    words.insert(words.end(), job.drawing.begin(), job.drawing.end());
+    picture.Start(std::move(words));
+    drawn = status.newest;
+    status.pictureTime = drawn;
+  }
+
+  std::map<std::string, RadarStatus> RadarStates() const
+  {
+    std::map<std::string, RadarStatus> states;
+    for (const auto& [name, arriving] : intake.Radars())
+    {
+      states[name].arriving = arriving;
+    }
+    const Time now = clock.Now();
+    for (const auto& [radar, newest] : newestRays)
+    {
+      states[radar].newest = newest;
+      states[radar].live = now - newest <= job.stale;
+    }
+    return states;
+  }
+
+  // Those of which nothing is waited for any more.
+  std::set<std::string> SilentRadars() const
+  {
+    std::set<std::string> silent;
+    const Time now = clock.Now();
+    for (const auto& [radar, newest] : newestRays)
+    {
+      if (concluding || now - newest > job.stale)
+      {
+        silent.insert(radar);
+      }
+    }
+    return silent;
+  }
+
+  void WriteStatus(const std::string& state)
+  {
+    status.state = state;
+    status.written = clock.Now();
+    status.radars = this->RadarStates();
+    status.steps = book.Made();
+    status.problems = report.problems;
+    status.heldBytes = series.MemoryBytes();
+    folder.WriteStatus(status);
+    statusWritten = std::chrono::steady_clock::now();
+    std::map<std::string, bool> live;
+    for (const auto& [name, radar] : status.radars)
+    {
+      if (radar.newest)
+      {
+        live[name] = radar.live;
+      }
+    }
+    if (live != wasLive)
+    {
+      wasLive = std::move(live);
+      tell(StatusLine(status));
+    }
+  }
+
+  void WriteState() const
+  {
+    folder.WriteState({book.Pack(), series.Sites(), book.ClosedUntil().has_value()});
+  }
+
   Progress Going() const
   {
     return [](double) { return !IsStopAsked(); };
@@ -145,430 +582,6 @@ private:
   std::chrono::steady_clock::time_point statusWritten{};
 };
 
-// Takes up what an earlier run left.
-void WatchRun::GoOn()
-{
-  const LiveState& before = folder.Before();
-  for (const auto& [site, range] : before.radars)
-  {
-    series.Expect(site, range);
-  }
-  if (before.keepsGrid)
-  {
-    series.KeepGrid();
-  }
-  if (!before.steps.empty())
-  {
-    book.Unpack(before.steps);
-  }
-  if (book.ClosedUntil())
-  {
-    intake.SetOldest(*book.ClosedUntil() - job.options.maximumGap - longestVolume);
-  }
-  status.staleAge = job.stale;
-  status.newestFile = folder.NewestVolume().filename().string();
-  status.pictureFile = job.drawing.empty() ? "" : "newest.png";
-}
-
-// One turn: takes what arrived, and makes what follows from it. False when there was nothing to do.
-bool WatchRun::Round()
-{
-  intake.Arrive(listing.Poll());
-  this->TellProblems(listing.TakeProblems());
-  this->Use(intake.Take(listing, intakeTime));
-  this->TellEnds();
-  const bool newest = !intake.IsBehind() && this->MakeNewest();
-  const bool steps = this->MakeSteps(false);
-  if (steps)
-  {
-    this->Forget();
-    ReturnFreedMemory();
-    folder.WriteIndex(book.Made());
-    this->WriteState();
-  }
-  this->Draw();
-  if (newest || steps || std::chrono::steady_clock::now() - statusWritten > statusInterval)
-  {
-    this->WriteStatus("running");
-  }
-  return newest || steps || intake.IsBehind();
-}
-
-void WatchRun::Rest() const
-{
-  constexpr auto slice = std::chrono::milliseconds(50); // in which a signal is noticed
-  const auto end = std::chrono::steady_clock::now() + job.poll;
-  while (!IsStopAsked() && std::chrono::steady_clock::now() < end)
-  {
-    std::this_thread::sleep_for(
-      std::min<std::chrono::steady_clock::duration>(slice, end - std::chrono::steady_clock::now()));
-  }
-}
-
-// Nothing more comes: all that is there is finished, and each step is made of it.
-void WatchRun::Conclude()
-{
-  concluding = true;
-  this->Use(intake.FinishAll(listing));
-  this->MakeNewest();
-  this->MakeSteps(true);
-  folder.WriteIndex(book.Made());
-  this->WriteState();
-  while (picture.IsRunning() && !IsStopAsked())
-  {
-    this->Rest();
-  }
-}
-
-void WatchRun::TellProblems(const std::vector<std::string>& lines)
-{
-  report.problems += lines.size();
-  for (const std::string& line : lines)
-  {
-    complain(line);
-  }
-}
-
-void WatchRun::Use(std::vector<IntakeChange> changes)
-{
-  this->TellProblems(intake.TakeProblems());
-  if (changes.empty())
-  {
-    return;
-  }
-  const auto before = series.HasGrid() ? std::optional(series.Grid()) : std::nullopt;
-  std::vector<LiveInput> inputs;
-  for (IntakeChange& change : changes)
-  {
-    if (change.completed && *change.completed > begun)
-    {
-      waitingSince = std::min(waitingSince.value_or(*change.completed), *change.completed);
-    }
-    inputs.push_back(std::move(change.input));
-  }
-  this->EndBeforePause(inputs);
-  std::vector<ScannedFile> scanned = series.Put(inputs);
-  for (std::size_t i = 0; i < inputs.size(); ++i)
-  {
-    if (!inputs[i].finished)
-    {
-      scanned[i].problems.clear();
-    }
-    ends.Keep(scanned[i]);
-    this->TellProblems(LinesOf(scanned[i].problems));
-  }
-  if (std::any_of(changes.begin(), changes.end(),
-        [](const IntakeChange& change) { return change.isTakenBack; }))
-  {
-    this->DropStrays();
-  }
-  this->FollowGrid(before);
-  for (const auto& [radar, time] : series.NewestByRadar())
-  {
-    newestRays[radar] = time;
-  }
-  for (const TimeSpan& span : series.Known().Spans())
-  {
-    book.Extend(span.first, span.last);
-  }
-}
-
-// Of volumes that lack their end, those of which it is known why.
-void WatchRun::TellEnds()
-{
-  const AwaitedEnds::Decided decided = ends.TakeDecided(series.Known(), this->SilentRadars());
-  this->TellProblems(LinesOf(decided.problems));
-  for (const std::string& note : decided.notes)
-  {
-    tell(note);
-  }
-}
-
-// What was scanned before a pause of more than a day is as if nothing more came: its steps are
-// made before the series leaps over the pause.
-void WatchRun::EndBeforePause(const std::vector<LiveInput>& inputs)
-{
-  const std::optional<Time> newest = series.Known().Last();
-  const bool leaps = std::any_of(inputs.begin(), inputs.end(),
-    [&newest](const LiveInput& input)
-    {
-      const std::optional<Time> start = input.volume.Start();
-      return newest && start && *start - *newest > LongestPause;
-    });
-  if (leaps)
-  {
-    this->MakeSteps(true);
-  }
-}
-
-// Steps of files that proved to be older than the feed: all of them are taken back, and the book
-// begins anew, as no step is done with then.
-void WatchRun::DropStrays()
-{
-  if (book.ClosedUntil())
-  {
-    return;
-  }
-  for (const Time step : book.Made())
-  {
-    folder.RemoveStep(step);
-  }
-  book = StepBook(StepRulesOf(job));
-  newestRays.clear();
-  folder.WriteIndex({});
-}
-
-// A radar that comes while all steps may still change makes the domain larger. Later the series
-// keeps the domain that it has.
-void WatchRun::FollowGrid(const std::optional<GridSpecification>& before)
-{
-  if (!series.HasGrid())
-  {
-    return;
-  }
-  if (!before)
-  {
-    std::set<std::string> own;
-    for (const Time step : book.Made())
-    {
-      own.insert(VolumeFileName(step).string());
-    }
-    own.insert(folder.NewestVolume().filename().string());
-    RequireSameGrid(job.output, own, series.Grid());
-  }
-  else if (*before != series.Grid())
-  {
-    for (const Time step : book.Made())
-    {
-      folder.RemoveStep(step);
-    }
-    book.Restart();
-    folder.WriteIndex({});
-  }
-  for (const auto& [radar, time] : series.NewestByRadar())
-  {
-    const std::string note = radar +
-                             " came when the domain was settled: it has no part in its size; "
-                             "give --bounds, or name another folder (-o), for a larger one";
-    if (series.Sites().count(radar) == 0 &&
-        std::find(status.notes.begin(), status.notes.end(), note) == status.notes.end())
-    {
-      status.notes.push_back(note);
-      tell(note);
-    }
-  }
-}
-
-// The merged volume at the time of the newest ray. False when there is nothing new.
-bool WatchRun::MakeNewest()
-{
-  const std::optional<Time> newest = series.Known().Last();
-  if (!newest)
-  {
-    return false;
-  }
-  const std::string inputs = FormatIso8601(*newest) + series.InputsAt(*newest);
-  if (inputs == newestInputs)
-  {
-    waitingSince.reset();
-    return false;
-  }
-  std::optional<GriddedVolume> volume = series.Merge(*newest, this->Going(), std::move(memory));
-  if (!volume)
-  {
-    return false; // asked to stop
-  }
-  folder.WriteNewest(*volume);
-  memory = std::move(*volume);
-  newestInputs = inputs;
-  status.newest = newest;
-  ++report.newest;
-  if (waitingSince)
-  {
-    status.delays.Add(
-      std::chrono::duration<double>(FileTime::clock::now() - *waitingSince).count());
-    waitingSince.reset();
-  }
-  return true;
-}
-
-bool WatchRun::MakeStep(Time step, const std::string& inputs)
-{
-  std::optional<GriddedVolume> volume = series.Merge(step, this->Going(), std::move(memory));
-  if (!volume)
-  {
-    return false; // asked to stop
-  }
-  folder.WriteStep(*volume);
-  memory = std::move(*volume);
-  book.Make(step, inputs);
-  ++report.steps;
-  return true;
-}
-
-// Makes the steps that have their last chance, and one more that is due; `all`: all that are due,
-// as if nothing more came. False when none was due.
-bool WatchRun::MakeSteps(bool all)
-{
-  if (!series.Known().Last())
-  {
-    return false;
-  }
-  const std::set<std::string> silent = this->SilentRadars();
-  bool made = false;
-  bool closing = false;
-  // A file that will be taken as soon as it is known to be whole still counts for the steps before
-  // its volume, with which it is merged.
-  const std::optional<Time> waiting = intake.OldestWaiting();
-  const bool mayClose =
-    !waiting || *waiting - job.options.maximumGap > *series.Known().Last() - job.late;
-  for (const Time step : book.Open())
-  {
-    const bool isClosing = mayClose && book.IsClosing(step);
-    const bool settled = all || series.IsSettled(step, silent);
-    closing = closing || isClosing;
-    const std::string inputs = series.InputsAt(step);
-    const bool waits = intake.IsBehind() && !isClosing && !settled;
-    if (waits || !book.IsDue(step, inputs, settled))
-    {
-      continue;
-    }
-    if (!this->MakeStep(step, inputs))
-    {
-      return made;
-    }
-    made = true;
-    if (!isClosing && !all)
-    {
-      break; // the newest volume comes first
-    }
-  }
-  if (closing)
-  {
-    series.KeepGrid();
-    book.Close();
-  }
-  return made || closing;
-}
-
-void WatchRun::Forget()
-{
-  if (!book.ClosedUntil() || !series.Known().Last())
-  {
-    return;
-  }
-  const std::vector<Time> open = book.Open();
-  const Time from = open.empty() ? *series.Known().Last() : open.front();
-  series.Forget(from);
-  intake.SetOldest(from - job.options.maximumGap - longestVolume);
-  if (job.keep)
-  {
-    const Time oldest = *series.Known().Last() - *job.keep;
-    for (const Time step : book.Made())
-    {
-      if (step < oldest)
-      {
-        folder.RemoveStep(step);
-      }
-    }
-    book.Drop(oldest);
-  }
-}
-
-// Draws the newest volume, unless the one before is still being drawn.
-void WatchRun::Draw()
-{
-  if (job.drawing.empty() || picture.IsRunning() || !status.newest || drawn == status.newest)
-  {
-    return;
-  }
-  if (picture.LastStatus() != 0)
-  {
-    const std::string note = "the picture cannot be drawn: see standard error; no more are drawn";
-    if (std::find(status.notes.begin(), status.notes.end(), note) == status.notes.end())
-    {
-      status.notes.push_back(note);
-      status.pictureFile.clear();
-      complain(note);
-    }
-    return;
-  }
-  std::vector<std::string> words = {"render", folder.NewestVolume().string(), "-o",
-    (job.output / status.pictureFile).string(), "--quiet"};
-  words.insert(words.end(), job.drawing.begin(), job.drawing.end());
-  picture.Start(words);
-  drawn = status.newest;
-  status.pictureTime = drawn;
-}
-
-std::map<std::string, RadarStatus> WatchRun::RadarStates() const
-{
-  std::map<std::string, RadarStatus> states;
-  for (const auto& [name, arriving] : intake.Radars())
-  {
-    states[name].arriving = arriving;
-  }
-  const Time now = clock.Now();
-  for (const auto& [radar, newest] : newestRays)
-  {
-    states[radar].newest = newest;
-    states[radar].live = now - newest <= job.stale;
-  }
-  return states;
-}
-
-// Those of which nothing is waited for any more.
-std::set<std::string> WatchRun::SilentRadars() const
-{
-  std::set<std::string> silent;
-  const Time now = clock.Now();
-  for (const auto& [radar, newest] : newestRays)
-  {
-    if (concluding || now - newest > job.stale)
-    {
-      silent.insert(radar);
-    }
-  }
-  return silent;
-}
-
-void WatchRun::WriteStatus(const std::string& state)
-{
-  status.state = state;
-  status.written = clock.Now();
-  status.radars = this->RadarStates();
-  status.steps = book.Made();
-  status.problems = report.problems;
-  status.heldBytes = series.MemoryBytes();
-  folder.WriteStatus(StatusJson(status));
-  statusWritten = std::chrono::steady_clock::now();
-  std::map<std::string, bool> live;
-  for (const auto& [name, radar] : status.radars)
-  {
-    if (radar.newest)
-    {
-      live[name] = radar.live;
-    }
-  }
-  if (live != wasLive)
-  {
-    wasLive = std::move(live);
-    tell(StatusLine(status));
-  }
-}
-
-void WatchRun::WriteState() const
-{
-  LiveState state;
-  state.steps = book.Pack();
-  state.keepsGrid = book.ClosedUntil().has_value();
-  for (const auto& [name, site] : series.Sites())
-  {
-    state.radars.push_back(site);
-  }
-  folder.WriteState(state);
-}
-
 } // namespace
 
 WatchReport WatchFolders(const WatchJob& job, const std::function<void(const std::string&)>& tell,
@@ -579,15 +592,15 @@ WatchReport WatchFolders(const WatchJob& job, const std::function<void(const std
   LiveStatus status;
   try
   {
-    folder.GoOn();
-    return WatchRun(job, clock, folder, status, tell, complain).Run();
+    const LiveState before = folder.GoOn();
+    return WatchRun(job, clock, folder, before, status, tell, complain).Run();
   }
   catch (const std::exception& problem)
   {
     status.state = "stopped";
     status.written = clock.Now();
     status.reason = MessageLine(problem.what());
-    folder.WriteLastStatus(StatusJson(status));
+    folder.WriteLastStatus(status);
     throw;
   }
 }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Live/LiveClock.h"
 #include "Live/LiveIntake.h"
-#include "Volumes/StepWriter.h"
+#include "Volumes/VolumeFiles.h"
 #include "nexrad/Merging/MergeOptions.h"
 
 #include <chrono>

@@ -3,48 +3,34 @@
 
 #include "Libraries/ProgramLibrary.h"
 #include "Parallel/LaunchedProcess.h"
-#include "vtkNexradProcesses.h"
 
 #include <vtkMultiProcessController.h>
 
 namespace nexrad::application
 {
-namespace
+
+std::shared_ptr<vtkMultiProcessController> JoinProcesses()
 {
-
-/// The function that the program looks for in nexrad3d-mpi: starts MPI and gives a controller of
-/// all processes, which the caller finalizes and deletes.
-using JoinFunction = vtkMultiProcessController* (*)();
-constexpr char joinFunctionName[] = "nexrad3dJoinProcesses";
-
-} // namespace
-
-JoinedProcesses::JoinedProcesses()
-{
-  if (FindLaunchedProcess().count > 1)
+  if (FindLaunchedProcess().count == 1)
   {
-    const auto join = reinterpret_cast<JoinFunction>(LoadProgramFunction("nexrad3d-mpi.so",
-      joinFunctionName, "joins several processes", "nexrad3d-mpi (it needs VTK with MPI)"));
-    controller = join();
-    if (controller->GetNumberOfProcesses() == 1)
-    {
-      ForgetLauncher(); // the variables were another program's
-    }
+    return nullptr;
   }
-}
-
-JoinedProcesses::~JoinedProcesses()
-{
-  if (controller != nullptr)
+  // The function of nexrad3d-mpi starts MPI and gives a controller of all processes.
+  using JoinFunction = vtkMultiProcessController* (*)();
+  const auto join = reinterpret_cast<JoinFunction>(LoadProgramFunction(
+    {"nexrad3d-mpi.so", "joins several processes", "nexrad3d-mpi (it needs VTK with MPI)"},
+    "nexrad3dJoinProcesses"));
+  const auto part = [](vtkMultiProcessController* controller)
   {
     controller->Finalize();
     controller->Delete();
+  };
+  std::shared_ptr<vtkMultiProcessController> joined(join(), part);
+  if (joined->GetNumberOfProcesses() == 1)
+  {
+    ForgetLauncher(); // the variables were another program's
   }
-}
-
-Processes JoinedProcesses::Get() const
-{
-  return vtkNexradProcessesOf(controller);
+  return joined;
 }
 
 } // namespace nexrad::application

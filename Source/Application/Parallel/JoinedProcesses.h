@@ -1,28 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/System/Processes.h"
+#include <memory>
 
 class vtkMultiProcessController;
 
 namespace nexrad::application
 {
 
-/// The processes that mpiexec started together with this one, as long as this lives; one alone
-/// without mpiexec, and then MPI is not loaded.
-class JoinedProcesses
-{
-public:
-  /// Throws Error when there are several and the program was built without MPI.
-  JoinedProcesses();
-  ~JoinedProcesses();
-  JoinedProcesses(const JoinedProcesses&) = delete;
-  JoinedProcesses& operator=(const JoinedProcesses&) = delete;
-
-  Processes Get() const;
-
-private:
-  vtkMultiProcessController* controller = nullptr;
-};
+/// Joins the processes that mpiexec started together with this one, as long as the pointer lives.
+/// nullptr without mpiexec: then MPI is not loaded. Throws Error when there are several processes
+/// and the program was built without MPI.
+std::shared_ptr<vtkMultiProcessController> JoinProcesses();
 
 } // namespace nexrad::application

@@ -2,7 +2,6 @@
 #include "Volumes/UnfinishedRun.h"
 
 #include "Output/OutputFile.h"
-#include "nexrad/System/AtomicFile.h"
 #include "nexrad/System/Error.h"
 
 #include <nlohmann/json.hpp>
@@ -16,7 +15,6 @@
 #include <fstream>
 #include <iterator>
 #include <system_error>
-#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -36,22 +34,6 @@ void Rename(const fs::path& from, const fs::path& to)
   {
     throw Error(to.string() + ": cannot be written: " + problem.message());
   }
-}
-
-std::set<std::string> FilesIn(const fs::path& folder)
-{
-  std::set<std::string> names;
-  std::error_code failure;
-  for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
-       entry.increment(failure))
-  {
-    std::error_code ignored;
-    if (entry->is_regular_file(ignored))
-    {
-      names.insert(entry->path().filename().string());
-    }
-  }
-  return names;
 }
 
 // Of the names in the hidden folder, those of files that will get the same name in the folder.
@@ -95,6 +77,22 @@ nlohmann::json ReadJson(const fs::path& path)
 }
 
 } // namespace
+
+std::set<std::string> FilesIn(const fs::path& folder)
+{
+  std::set<std::string> names;
+  std::error_code failure;
+  for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
+       entry.increment(failure))
+  {
+    std::error_code ignored;
+    if (entry->is_regular_file(ignored))
+    {
+      names.insert(entry->path().filename().string());
+    }
+  }
+  return names;
+}
 
 UnfinishedRun::UnfinishedRun(
   const fs::path& theFolder, const std::string& recipe, const Processes& theProcesses)

@@ -14,6 +14,9 @@
 namespace nexrad::application
 {
 
+/// Names of the files in a folder; none where it cannot be read.
+std::set<std::string> FilesIn(const std::filesystem::path& folder);
+
 /// A run that writes files into a folder, from its first file to its end. It keeps a hidden folder
 /// there, ".grid.part", with what it was asked for. A run that was interrupted leaves it behind;
 /// the next one with the same recipe has the files that are there, and one with another recipe

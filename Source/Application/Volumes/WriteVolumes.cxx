@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Volumes/WriteVolumes.h"
 
+#include "Volumes/UnfinishedRun.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Merging/SeriesMerger.h"
 #include "nexrad/Series/Steps.h"
 #include "nexrad/System/Error.h"
-#include "nexrad/System/Progress.h"
 #include "vtkNexradNetCDFOutput.h"
 #include "vtkNexradThreads.h"
 
 #include <algorithm>
 #include <exception>
-#include <functional>
+#include <future>
 #include <limits>
-#include <optional>
 #include <set>
-#include <string>
 #include <system_error>
 #include <utility>
 
@@ -48,7 +46,7 @@ VolumeFiles FilesOfTimes(const GridJob& job)
   if (job.oneFile)
   {
     files.format = VolumeFormat::Nxv;
-    files.nxv.encoding = NxvEncoding::Float;
+    files.encoding = NxvEncoding::Float;
   }
   return files;
 }
@@ -90,7 +88,7 @@ public:
     , processes(theProcesses)
     , all(SeriesOf(theJob, theMerger))
     , part(theProcesses.Part(theMerger.Times().size()))
-    , writer(theRun, FilesOfTimes(theJob))
+    , ofTimes(FilesOfTimes(theJob))
   {
   }
 
@@ -125,7 +123,7 @@ private:
     {
       this->Make(i, ShareOf(progress, i - begin, end - begin));
     }
-    writer.Finish();
+    this->FinishWriting();
   }
 
   // Each process makes rows of each volume, and the first one joins them.
@@ -137,16 +135,13 @@ private:
     {
       const Progress own = ShareOf(progress, i, count);
       merger.EndAt(merger.Times()[i]); // nobody decodes ahead what others may decode as well
-      if (!merger.KnowTogether(merger.Times()[i], ShareOf(own, 0.0, decoding)))
-      {
-        this->Stop();
-      }
+      this->StopUnless(merger.KnowTogether(merger.Times()[i], ShareOf(own, 0.0, decoding)));
       bool isThere = false;
       processes.Together([&] { isThere = this->IsThere(i, own); });
       if (!processes.InAll(isThere))
       {
         processes.Together([&] { this->MakeRows(i, ShareOf(own, decoding, 1.0)); });
-        processes.Together([&] { processes.IsFirst() ? this->JoinRows(i) : this->Note(i); });
+        processes.Together([&] { this->JoinRows(i); });
       }
     }
   }
@@ -177,18 +172,22 @@ private:
       return;
     }
     NxvBandWriter bricks(
-      this->PlaceForRows(step, processes.Rank()), merger.Grid(), rows, job.written.nxv);
-    if (!this->AddBands(step, bricks, progress, rows))
-    {
-      this->Stop();
-    }
+      this->PlaceForRows(step, processes.Rank()), merger.Grid(), rows, job.written.encoding);
+    this->AddBands(step, bricks, progress, rows);
     bricks.Commit();
   }
 
+  // The first process joins them; to the others the step is made then as well.
   void JoinRows(std::size_t step)
   {
+    const Time time = merger.Times()[step];
+    if (!processes.IsFirst())
+    {
+      steps.Make(time, merger.MadeOf(time));
+      return;
+    }
     const std::string& name = all.front().files[step];
-    NxvBandWriter bricks(run.PlaceFor(name), merger.Grid(), job.written.nxv);
+    NxvBandWriter bricks(run.PlaceFor(name), merger.Grid(), job.written.encoding);
     for (std::size_t rank = 0; rank < processes.Count(); ++rank)
     {
       if (this->RowsOf(rank).Size(1) > 0)
@@ -197,16 +196,9 @@ private:
         fs::remove(this->PlaceForRows(step, rank));
       }
     }
-    this->Begin(step, merger.MadeOf(merger.Times()[step]));
+    this->Begin(step, merger.MadeOf(time));
     bricks.Commit();
     run.Add(name);
-  }
-
-  // What the first process made is made, here as well.
-  void Note(std::size_t step)
-  {
-    const Time time = merger.Times()[step];
-    steps.Make(time, merger.MadeOf(time));
   }
 
   bool IsThere(std::size_t step, const Progress& progress)
@@ -214,27 +206,19 @@ private:
     const bool written = std::all_of(all.begin(), all.end(),
       [&](const FileSeries& series) { return run.Has(series.files[step]); });
     const Time time = merger.Times()[step];
-    if (written && !merger.Know(time, progress))
-    {
-      this->Stop();
-    }
+    this->StopUnless(!written || merger.Know(time, progress));
     return written && !steps.IsDue(time, merger.MadeOf(time));
   }
 
   void Make(std::size_t step, const Progress& progress)
   {
-    if (this->IsThere(step, progress))
+    if (!this->IsThere(step, progress))
     {
-      return;
-    }
-    if (!(job.perRadar ? this->MakeEach(step, progress) : this->MakeMerged(step, progress)))
-    {
-      this->Stop();
+      job.perRadar ? this->MakeEach(step, progress) : this->MakeMerged(step, progress);
     }
   }
 
-  // All four are false when asked to stop.
-  bool AddBands(std::size_t step, NxvBandWriter& bricks, const Progress& progress,
+  void AddBands(std::size_t step, NxvBandWriter& bricks, const Progress& progress,
     const std::optional<VoxelBlock>& rows = {})
   {
     const RangeLoop loop = vtkNexradRangeLoop();
@@ -243,39 +227,34 @@ private:
       bricks.Add(band, loop);
       return band;
     };
-    return merger.MergeInBands(merger.Times()[step], NxvBandWriter::Rows, take, progress, rows);
+    this->StopUnless(
+      merger.MergeInBands(merger.Times()[step], NxvBandWriter::Rows, take, progress, rows));
   }
 
-  bool MakeInBricks(std::size_t step, const Progress& progress)
+  void MakeInBricks(std::size_t step, const Progress& progress)
   {
     const std::string& name = all.front().files[step];
-    NxvBandWriter bricks(run.PlaceFor(name), merger.Grid(), job.written.nxv);
-    if (!this->AddBands(step, bricks, progress))
-    {
-      return false;
-    }
+    NxvBandWriter bricks(run.PlaceFor(name), merger.Grid(), job.written.encoding);
+    this->AddBands(step, bricks, progress);
     this->Begin(step, this->LastMadeOf(step));
     bricks.Commit();
     run.Add(name);
-    return true;
   }
 
-  bool MakeMerged(std::size_t step, const Progress& progress)
+  void MakeMerged(std::size_t step, const Progress& progress)
   {
-    if (AreInBricks(FilesOfTimes(job), job.options))
+    if (AreInBricks(ofTimes, job.options))
     {
-      return this->MakeInBricks(step, progress);
+      this->MakeInBricks(step, progress);
+      return;
     }
     auto volume = merger.Merge(merger.Times()[step], progress, {}, std::move(memory));
-    if (volume)
-    {
-      this->Begin(step, this->LastMadeOf(step));
-      memory = writer.Write(std::move(*volume));
-    }
-    return volume.has_value();
+    this->StopUnless(volume.has_value());
+    this->Begin(step, this->LastMadeOf(step));
+    memory = this->StartWriting(std::move(*volume));
   }
 
-  bool MakeEach(std::size_t step, const Progress& progress)
+  void MakeEach(std::size_t step, const Progress& progress)
   {
     bool begun = false;
     const auto write = [&](GriddedVolume volume)
@@ -284,9 +263,43 @@ private:
       {
         this->Begin(step, this->LastMadeOf(step));
       }
-      writer.Write(std::move(volume));
+      this->StartWriting(std::move(volume));
     };
-    return merger.MergeEachRadar(merger.Times()[step], write, progress);
+    this->StopUnless(merger.MergeEachRadar(merger.Times()[step], write, progress));
+  }
+
+  // Writes a volume on another thread when the one before is there; returns that, whose arrays are
+  // free again.
+  GriddedVolume StartWriting(GriddedVolume volume)
+  {
+    GriddedVolume last = this->FinishWriting();
+    const std::string radar = volume.ofOneRadar ? volume.sites.front() : "";
+    name = VolumeFileName(volume.time, ofTimes.format, radar).string();
+    const auto write = [place = run.PlaceFor(name), as = ofTimes](GriddedVolume&& one)
+    {
+      if (as.format == VolumeFormat::Nxv)
+      {
+        WriteNxv(place, one, as.encoding);
+      }
+      else
+      {
+        vtkNexradWriteNetCDF(place, one, as.history);
+      }
+      return std::move(one);
+    };
+    writing = std::async(std::launch::async | std::launch::deferred, write, std::move(volume));
+    return last;
+  }
+
+  GriddedVolume FinishWriting()
+  {
+    if (!writing.valid())
+    {
+      return {};
+    }
+    GriddedVolume last = writing.get();
+    run.Add(name);
+    return last;
   }
 
   std::string LastMadeOf(std::size_t step) const { return merger.LastMadeOf(merger.Times()[step]); }
@@ -309,11 +322,14 @@ private:
   // What the files hold, a run that continues this one need not find out again.
   void Keep(const Steps& made) { run.Keep(made.Pack() + '\n' + merger.KnownFiles()); }
 
-  [[noreturn]] void Stop()
+  void StopUnless(bool goesOn)
   {
-    writer.Finish();
-    this->Keep({});
-    throw Error("stopped before all volumes were made; the same command makes the rest");
+    if (!goesOn)
+    {
+      this->FinishWriting();
+      this->Keep({});
+      throw Error("stopped before all volumes were made; the same command makes the rest");
+    }
   }
 
   const GridJob& job;
@@ -323,7 +339,9 @@ private:
   const Processes& processes;
   const std::vector<FileSeries> all;
   const std::pair<std::size_t, std::size_t> part; // of this process
-  StepWriter writer;
+  const VolumeFiles ofTimes;
+  std::string name;                   // of the volume that is being written
+  std::future<GriddedVolume> writing; // the volume comes back
   GriddedVolume memory;
 };
 
@@ -422,10 +440,7 @@ GridReport Conclude(
     throw Error("no radar has a volume within --max-gap of any time asked for, from " +
                 FormatIso8601(times.front()) + " to " + FormatIso8601(times.back()));
   }
-  for (const InputProblem& problem : merger.Problems())
-  {
-    report.problems.push_back(problem.Line());
-  }
+  report.problems = ProblemLines(merger.Problems());
   report.notes = merger.Notes();
   report.comparison = merger.CompareRadars();
   report.takenOff = merger.BiasesTakenOff();

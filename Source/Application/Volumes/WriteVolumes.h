@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Volumes/StepWriter.h"
+#include "Volumes/VolumeFiles.h"
 #include "nexrad/Calibration/RadarBiases.h"
 #include "nexrad/Merging/MergeOptions.h"
 #include "nexrad/Quality/EchoClass.h"

@@ -2,15 +2,50 @@
 #include "nexrad/Live/ChunkedVolume.h"
 
 #include "nexrad/Compression/Deflate.h"
+#include "nexrad/Compression/LdmRecords.h"
+#include "nexrad/Level2/Messages/VolumeHeader.h"
 
 #include <algorithm>
-#include <utility>
+#include <cstdlib>
 
 namespace nexrad
 {
 
 namespace
 {
+
+// Walks over the records by their lengths. `marksLast`: the length of the last one is negative.
+ChunkExtent ExtentOf(ByteView stored, bool marksLast)
+{
+  constexpr std::size_t lengthBytes = 4;
+  constexpr std::size_t signature = 14; // a length, and what begins a bzip2 stream
+  std::size_t position = IsVolumeHeader(stored, 0) ? VolumeHeader::bytes : 0;
+  if (stored.Size() < position + signature)
+  {
+    return position == 0 ? ChunkExtent::Cut : ChunkExtent::Unknown;
+  }
+  bool lastIsMarked = false;
+  while (position < stored.Size())
+  {
+    if (stored.Size() - position < signature)
+    {
+      return ChunkExtent::Cut;
+    }
+    if (!IsLdmRecord(stored, position))
+    {
+      return ChunkExtent::Unknown;
+    }
+    const std::int64_t length = stored.I32(position);
+    const auto bytes = static_cast<std::size_t>(std::abs(length));
+    if (!stored.Has(position + lengthBytes, bytes))
+    {
+      return ChunkExtent::Cut;
+    }
+    lastIsMarked = length < 0;
+    position += lengthBytes + bytes;
+  }
+  return marksLast && !lastIsMarked ? ChunkExtent::Unknown : ChunkExtent::Whole;
+}
 
 // Whether a ray is the last one of its cut (ICD 2620002, table XVII: 2 end of elevation, 4 end of
 // volume).
@@ -21,6 +56,16 @@ bool EndsCut(const Ray& ray)
 }
 
 } // namespace
+
+ChunkExtent ExtentOfChunk(ByteView stored)
+{
+  return ExtentOf(stored, false);
+}
+
+ChunkExtent ExtentOfFile(ByteView stored)
+{
+  return ExtentOf(stored, true);
+}
 
 std::vector<SweepArrival> ArrivedSweeps(const RadarVolume& volume)
 {

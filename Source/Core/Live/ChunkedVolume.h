@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "nexrad/Compression/BigEndian.h"
 #include "nexrad/Level2/FileDecoder.h"
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Model/RadarVolume.h"
@@ -11,11 +12,25 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace nexrad
 {
+
+/// Whether all bytes of a file that is being written have arrived.
+enum class ChunkExtent
+{
+  Whole,  ///< the lengths in it say so
+  Cut,    ///< the lengths in it say that more follows
+  Unknown ///< nothing in it says how long it is
+};
+
+/// What the lengths of the compressed records of a chunk say of its stored bytes.
+ChunkExtent ExtentOfChunk(ByteView stored);
+
+/// The same of a file of a whole volume. The length of its last record is negative; without one it
+/// is Cut or Unknown.
+ChunkExtent ExtentOfFile(ByteView stored);
 
 /// What has become of one sweep of a volume that is arriving.
 struct SweepArrival
@@ -75,8 +90,6 @@ public:
   std::vector<int> Missing() const;
   /// The chunk that ends the volume came.
   bool HasEnd() const;
-  /// It came, and no number before it is missing.
-  bool IsWhole() const { return this->HasEnd() && this->Missing().empty(); }
   /// Chunks that came.
   std::size_t Count() const { return chunks.size(); }
   /// Chunks that are decoded; the others wait for a missing one.

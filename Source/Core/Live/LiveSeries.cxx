@@ -2,7 +2,7 @@
 #include "nexrad/Live/LiveSeries.h"
 
 #include "nexrad/Merging/MemoryNeed.h"
-#include "nexrad/Model/SiteKey.h"
+#include "nexrad/Model/Site.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
@@ -53,6 +53,19 @@ void LeaveOutRadar(const std::string& radar, const std::string& why,
     file.volumes.erase(own, file.volumes.end());
     file.problems.push_back({path.string(), {}, radar + " is left out: " + why, true});
   }
+}
+
+const SeriesVolume* FindNext(const Catalogue& known, const std::string& radar, Time start)
+{
+  const auto isOwn = [&radar](const SiteSeries& each) { return each.site.name == radar; };
+  const auto own = std::find_if(known.sites.begin(), known.sites.end(), isOwn);
+  if (own == known.sites.end())
+  {
+    return nullptr;
+  }
+  const auto next = std::find_if(own->volumes.begin(), own->volumes.end(),
+    [start](const SeriesVolume& volume) { return volume.start > start; });
+  return next != own->volumes.end() ? &*next : nullptr;
 }
 
 } // namespace
@@ -172,35 +185,28 @@ std::vector<ScannedFile> LiveSeries::Put(const std::vector<LiveInput>& inputs)
 {
   std::vector<ScannedFile> scanned(inputs.size());
   std::vector<Moments> moments(inputs.size());
-  const int count = static_cast<int>(inputs.size());
-  RunLoop(request.loop, count,
-    [&](int begin, int end)
+  RunEach(request.loop, inputs.size(),
+    [&](std::size_t i)
     {
-      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-      {
-        const auto keep = [&of = moments[i]](const SeriesVolume& volume, const RadarVolume&,
-                            const std::shared_ptr<const PolarVolume>& polar)
-        { of.emplace_back(volume.cycle, polar); };
-        scanned[i] = ScanVolume(inputs[i].volume, inputs[i].path, series, keep);
-      }
+      const auto keep = [&of = moments[i]](const SeriesVolume& volume, const RadarVolume&,
+                          const std::shared_ptr<const PolarVolume>& polar)
+      { of.emplace_back(volume.cycle, polar); };
+      scanned[i] = ScanVolume(inputs[i].volume, inputs[i].path, series, keep);
     });
   this->LeaveOutOthers(scanned);
   this->ExpectRadarsOf(inputs, scanned);
   std::vector<std::vector<Volume>> made(inputs.size());
-  RunLoop(request.loop, count,
-    [&](int begin, int end)
+  RunEach(request.loop, inputs.size(),
+    [&](std::size_t i)
     {
-      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      for (const auto& [site, description] : scanned[i].volumes)
       {
-        for (const auto& [site, description] : scanned[i].volumes)
+        made[i].push_back({site, description, {}, inputs[i].finished});
+        for (const auto& [cycle, polar] : moments[i])
         {
-          made[i].push_back({site, description, {}, inputs[i].finished});
-          for (const auto& [cycle, polar] : moments[i])
+          if (cycle == description.cycle)
           {
-            if (cycle == description.cycle)
-            {
-              made[i].back().ready.push_back(MakeReady(polar, request));
-            }
+            made[i].back().ready.push_back(MakeReady(polar, request));
           }
         }
       }
@@ -242,7 +248,7 @@ void LiveSeries::List()
 
 std::vector<ChosenVolume> LiveSeries::ChosenAt(Time time) const
 {
-  return known.ChosenAt(time, VolumeRuleOf(options), options.Moments());
+  return known.ChosenAt(time, VolumeRuleOf(options), options.moments);
 }
 
 void LiveSeries::Forget(Time from)
@@ -291,7 +297,7 @@ std::size_t LiveSeries::MemoryBytes() const
 
 std::string LiveSeries::InputsAt(Time time) const
 {
-  return MergeText(request) + known.MadeOf(time, VolumeRuleOf(options), options.Moments());
+  return MergeText(request) + known.MadeOf(time, VolumeRuleOf(options), options.moments);
 }
 
 bool LiveSeries::IsSettled(Time time, const std::set<std::string>& silent) const
@@ -322,7 +328,46 @@ std::optional<GriddedVolume> LiveSeries::Merge(
     ready.push_back(*std::find_if(own.begin(), own.end(),
       [&each](const ReadyVolume& one) { return one.Moment() == each.moment; }));
   }
-  return MergeMoments(ready, options.Moments(), request, progress, run, std::move(memory));
+  return MergeMoments(ready, options.moments, request, progress, run, std::move(memory));
+}
+
+void AwaitedEnds::Keep(ScannedFile& file)
+{
+  for (const auto& [site, volume] : file.volumes)
+  {
+    const auto isSame = [&path = volume.file](const Awaited& each)
+    { return each.volume.file == path; };
+    awaited.erase(std::remove_if(awaited.begin(), awaited.end(), isSame), awaited.end());
+  }
+  const auto problem = std::find_if(file.problems.begin(), file.problems.end(),
+    [](const InputProblem& each) { return each.isMissingEnd; });
+  if (problem != file.problems.end() && !file.volumes.empty())
+  {
+    const auto& [site, last] = file.volumes.back();
+    awaited.push_back({site.name, last, std::move(*problem)});
+    file.problems.erase(problem);
+  }
+}
+
+AwaitedEnds::Decided AwaitedEnds::TakeDecided(
+  const Catalogue& known, const std::set<std::string>& silent)
+{
+  Decided decided;
+  std::vector<Awaited> open;
+  for (Awaited& each : awaited)
+  {
+    const SeriesVolume* next = FindNext(known, each.radar, each.volume.start);
+    if (next == nullptr && silent.count(each.radar) == 0)
+    {
+      open.push_back(std::move(each));
+      continue;
+    }
+    std::string note = next != nullptr ? DescribeRestart(each.volume, *next) : std::string();
+    note.empty() ? decided.problems.push_back(std::move(each.problem))
+                 : decided.notes.push_back(std::move(note));
+  }
+  awaited = std::move(open);
+  return decided;
 }
 
 } // namespace nexrad

@@ -54,7 +54,6 @@ public:
   std::vector<Time> Made() const { return made.Made(); }
   /// No step is before it may change.
   std::optional<Time> ClosedUntil() const { return closedUntil; }
-  std::optional<Time> First() const { return first; }
 
   /// All of it as text, for a run that goes on with it.
   std::string Pack() const;

@@ -13,11 +13,6 @@ namespace
 // Short beside the time between two volumes, and the way in it beside a box.
 constexpr Duration step = std::chrono::minutes(1);
 
-double SecondsOf(Duration duration)
-{
-  return std::chrono::duration<double>(duration).count();
-}
-
 } // namespace
 
 BoxFollower::BoxFollower(const GridSpecification& theDomain, const BeamModel& beam,
@@ -67,10 +62,6 @@ BoxFollower::Way BoxFollower::Move(const Way& way, const Velocity& velocity, dou
 std::optional<std::array<double, 2>> BoxFollower::WayTo(
   Time time, const BoxRequest& wanted, const Progress& progress)
 {
-  if (!wanted.followedFrom)
-  {
-    return Way{0.0, 0.0};
-  }
   if (!box || !(*box == wanted))
   {
     box = wanted;
@@ -99,7 +90,8 @@ std::optional<std::array<double, 2>> BoxFollower::WayTo(
       path.velocities.push_back(*velocity);
     }
     const Duration part = i == steps ? total - before : step;
-    const Way end = this->Move(path.ways[i], path.velocities[i], sign * SecondsOf(part));
+    const double seconds = std::chrono::duration<double>(part).count();
+    const Way end = this->Move(path.ways[i], path.velocities[i], sign * seconds);
     if (i == steps)
     {
       return end;

@@ -8,14 +8,12 @@
 #include "nexrad/Gridding/BeamMerge.h"
 #include "nexrad/Merging/Store.h"
 #include "nexrad/Model/SiteTable.h"
-#include "nexrad/Motion/MotionField.h"
+#include "nexrad/Settings/ValueTexts.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/MachineMemory.h"
 #include "nexrad/Thesis/ThesisMerge.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <string>
 
 namespace fs = std::filesystem;
@@ -50,15 +48,14 @@ std::size_t ReadyBytes(
 {
   const std::size_t ahead = FilesAhead * threads;
   const std::size_t held = std::min(inputs.files, volumesOfARadar * inputs.radars + ahead);
-  const std::size_t stored =
-    held * std::max(inputs.fileBytes, leastFile) * options.Moments().size();
+  const std::size_t stored = held * std::max(inputs.fileBytes, leastFile) * options.moments.size();
   return static_cast<std::size_t>(static_cast<double>(stored) * ofAByte);
 }
 
 std::size_t RayBytes(const MergeOptions& options, const InputSizes& inputs, unsigned threads)
 {
   const std::size_t decoding = std::min<std::size_t>(inputs.files, threads);
-  const std::size_t further = furtherBytes * (options.Moments().size() - 1);
+  const std::size_t further = furtherBytes * (options.moments.size() - 1);
   return std::max(inputs.fileBytes, leastFile) * decoding * (decodedBytes + further) +
          ReadyBytes(options, inputs, threads, readyBytes);
 }
@@ -86,7 +83,7 @@ VolumeUse UseOf(const MergeOptions& options, const InputSizes& inputs, const Vol
 std::size_t VoxelBytes(
   const MergeOptions& options, const std::array<int, 3>& dimensions, const VolumeUse& use)
 {
-  const std::size_t ofMoments = options.Moments().size() * BytesOfAVoxel(options);
+  const std::size_t ofMoments = options.moments.size() * BytesOfAVoxel(options);
   const bool thesis = options.method == MergeMethod::Thesis;
   const std::size_t ofMerge = thesis ? ThesisBytesAVoxel : 0;
   double voxels = static_cast<double>(ofMoments * (1 + use.others) + use.bytesAVoxel + ofMerge);
@@ -100,12 +97,6 @@ std::size_t VoxelBytes(
   }
   constexpr double most = 1e18; // whatever the dimensions, the sum of the needs can be counted
   return static_cast<std::size_t>(std::min(voxels, most));
-}
-
-std::string DimensionText(const std::array<int, 3>& dimensions)
-{
-  return std::to_string(dimensions[0]) + "x" + std::to_string(dimensions[1]) + "x" +
-         std::to_string(dimensions[2]);
 }
 
 // The largest dimensions of the same proportions whose voxels take no more than `bytes`.
@@ -134,8 +125,8 @@ std::array<int, 3> DimensionsWithin(
 [[noreturn]] void Refuse(const MergeOptions& options, const MemoryNeed& need, const VolumeUse& use)
 {
   const MemoryLimit& limit = options.memoryLimit;
-  const std::size_t further = options.furtherMoments.size();
-  std::string text = "a grid of " + DimensionText(options.grid.dimensions) + " voxels" +
+  const std::size_t further = options.moments.size() - 1;
+  std::string text = "a grid of " + DimensionsText(options.grid.dimensions) + " voxels" +
                      (further > 0 ? " with " + std::to_string(further + 1) + " moments" : "") +
                      " needs " + MemoryText(need.Total()) + " of memory; " +
                      (limit.option.empty() ? "there is " + MemoryText(limit.bytes)
@@ -147,7 +138,7 @@ std::array<int, 3> DimensionsWithin(
                         : std::array<int, 3>{0, 0, 0};
   if (fitting[0] > 0)
   {
-    text += "; --dims " + DimensionText(fitting) + " fits";
+    text += "; --dims " + DimensionsText(fitting) + " fits";
   }
   else
   {
@@ -220,12 +211,12 @@ MemoryNeed NeedOf(const MergeOptions& options, const std::array<int, 3>& dimensi
   return need;
 }
 
-std::vector<Position> KnownPlaces(const std::optional<std::vector<SiteFileList>>& headers)
+std::vector<Position> KnownPlaces(const std::optional<FilesByRadar>& headers)
 {
   std::vector<Position> places;
-  for (const SiteFileList& radar : headers.value_or(std::vector<SiteFileList>()))
+  for (const auto& [radar, files] : headers.value_or(FilesByRadar()))
   {
-    const KnownSite* site = FindSite(radar.name);
+    const KnownSite* site = FindSite(radar);
     if (site == nullptr)
     {
       return {};

@@ -54,7 +54,7 @@ InputSizes SizesOf(const std::vector<std::filesystem::path>& paths, std::size_t 
 
 /// Where the radars stand that headers name; empty where the site table lacks one, or there are no
 /// headers.
-std::vector<Position> KnownPlaces(const std::optional<std::vector<SiteFileList>>& headers);
+std::vector<Position> KnownPlaces(const std::optional<FilesByRadar>& headers);
 
 /// The need of merges with these options for a grid of these dimensions. `threads` decode files.
 /// Without `geometry` and `means`, which depend on where the radars are.

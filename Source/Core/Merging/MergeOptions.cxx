@@ -1,25 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Merging/MergeOptions.h"
 
-#include "nexrad/Series/VolumeSelection.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
 
 namespace nexrad
 {
-
-const char* ToString(MergeMethod method)
-{
-  switch (method)
-  {
-  case MergeMethod::Thesis:
-    return "thesis";
-  case MergeMethod::Beam:
-    return "beam";
-  }
-  return "";
-}
 
 MomentOptions MomentOptionsOf(const MergeRules& rules)
 {
@@ -46,16 +33,9 @@ void RequireMoment(MergeMethod method, MomentName moment)
   }
 }
 
-std::vector<MomentName> MergeOptions::Moments() const
-{
-  std::vector<MomentName> moments = furtherMoments;
-  moments.insert(moments.begin(), moment);
-  return moments;
-}
-
 SeriesOptions SeriesOptionsOf(const MergeOptions& options)
 {
-  const std::vector<MomentName> moments = options.Moments();
+  const std::vector<MomentName>& moments = options.moments;
   for (const MomentName moment : moments)
   {
     RequireMoment(options.method, moment);
@@ -65,8 +45,7 @@ SeriesOptions SeriesOptionsOf(const MergeOptions& options)
     }
   }
   SeriesOptions series;
-  series.moment = options.moment;
-  series.furtherMoments = options.furtherMoments;
+  series.moments = moments;
   static_cast<MomentOptions&>(series) = MomentOptionsOf(options);
   series.requirePosition = true;
   series.level2.siteName = options.siteName;

@@ -4,7 +4,7 @@
 #include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/Gridding/BeamMerge.h"
 #include "nexrad/Model/Moment.h"
-#include "nexrad/Moments/MomentOptions.h"
+#include "nexrad/Moments/MomentMaker.h"
 #include "nexrad/Motion/MotionField.h"
 #include "nexrad/Series/Catalogue.h"
 #include "nexrad/Series/ScannedFile.h"
@@ -24,9 +24,6 @@ enum class MergeMethod
   Thesis, ///< Formulas T1–T7
   Beam    ///< Formulas G, W and A: BeamMerger
 };
-
-/// "thesis", "beam".
-const char* ToString(MergeMethod method);
 
 /// How Beam interpolates between two observations of a radar.
 enum class TimeInterpolationMethod
@@ -83,8 +80,8 @@ struct MergeOptions : MergeRules
   std::optional<Time> end;      ///< in place of the last step at or before the last ray; inclusive
   std::optional<Time> time;     ///< this time alone, between the first and the last ray
   bool atLeastOne = false; ///< where no step lies between the first and the last ray: their middle
-  MomentName moment = MomentName::REF;
-  std::vector<MomentName> furtherMoments; ///< merged beside `moment`, from files decoded once
+  std::vector<MomentName> moments = {MomentName::REF}; ///< one at least, each merged of files that
+                                                       ///< are decoded once
   bool measureBiases = false; ///< take the biases that the comparison of the radars finds (Formulas
                               ///< Q6) off reflectivity, in place of BeamMergeOptions::biases: with
                               ///< several radars, all files are decoded before the first merge
@@ -94,9 +91,6 @@ struct MergeOptions : MergeRules
                                              ///< keeps none
   MemoryLimit memoryLimit; ///< of all that the run takes: a grid that needs more is refused before
                            ///< anything is decoded (RequireMemory)
-
-  /// `moment` and those beside it.
-  std::vector<MomentName> Moments() const;
 };
 
 /// What options ask of a scan. Throws Error for a moment that the method does not know, and for one

@@ -12,7 +12,6 @@ namespace nexrad
 namespace
 {
 
-using Row = Setting<MergeOptions>;
 using Rows = SettingTable<MergeOptions>;
 
 // Reasons for which a setting is refused beside the others; empty: it is right.
@@ -26,7 +25,7 @@ std::string OfBeam(const MergeOptions& options)
 
 bool HasReflectivity(const MergeOptions& options)
 {
-  const std::vector<MomentName> moments = options.Moments();
+  const std::vector<MomentName>& moments = options.moments;
   return std::find(moments.begin(), moments.end(), MomentName::REF) != moments.end();
 }
 
@@ -46,7 +45,7 @@ std::string OfDecibels(const MergeOptions& options)
 
 std::string OfOverlap(const MergeOptions& options)
 {
-  const std::vector<MomentName> moments = options.Moments();
+  const std::vector<MomentName>& moments = options.moments;
   const auto acts = [&moments](OverlapStrategy wanted)
   {
     return std::any_of(moments.begin(), moments.end(),
@@ -79,8 +78,8 @@ std::string InPlaceOfBounds(const MergeOptions& options)
 
 std::string KnownToMethod(const MergeOptions& options)
 {
-  const bool reflectivity = options.moment == MomentName::REF && options.furtherMoments.empty();
-  return options.method == MergeMethod::Thesis && !reflectivity
+  const bool reflectivityAlone = options.moments == std::vector<MomentName>{MomentName::REF};
+  return options.method == MergeMethod::Thesis && !reflectivityAlone
            ? "the method 'thesis' merges REF alone"
            : "";
 }
@@ -148,33 +147,13 @@ ValueType<std::tuple<bool, RadarBiases>> BiasValue()
 
 ValueType<std::optional<Wind>> StormMotionValue()
 {
-  const auto parse = [](const std::string& text) -> std::optional<Wind>
+  const auto parse = [](const std::string& text)
   {
-    const Velocity motion = text.empty() ? Velocity{} : ParseMotion(text);
-    return text.empty() ? std::nullopt : std::optional(Wind{motion.east, motion.north});
+    const Velocity motion = ParseMotion(text);
+    return Wind{motion.east, motion.north};
   };
-  const auto write = [](const std::optional<Wind>& wind) {
-    return wind ? MotionText({wind->east, wind->north}) : "";
-  };
-  return {MotionValue(), parse, write};
-}
-
-ValueType<std::tuple<MomentName, std::vector<MomentName>>> FirstAndFurtherMoments()
-{
-  using Value = std::tuple<MomentName, std::vector<MomentName>>;
-  const ValueType<std::vector<MomentName>> type = MomentsValue();
-  const auto parse = [type](const std::string& text) -> Value
-  {
-    const std::vector<MomentName> moments = type.parse(text);
-    return {moments.front(), {moments.begin() + 1, moments.end()}};
-  };
-  const auto write = [type](const Value& value)
-  {
-    std::vector<MomentName> moments = std::get<1>(value);
-    moments.insert(moments.begin(), std::get<0>(value));
-    return type.text(moments);
-  };
-  return {type, parse, write};
+  const auto write = [](const Wind& wind) { return MotionText({wind.east, wind.north}); };
+  return Optional(ValueType<Wind>{MotionValue(), parse, write});
 }
 
 ValueType<MemoryLimit> MemoryLimitValue()
@@ -254,8 +233,7 @@ void AddMethod(Rows& rows)
       "Moment to merge, or several as in REF,VEL,SW: each file is decoded once for all of them. "
       "Derived moments: SRV (storm-relative velocity), AZSHEAR (azimuthal shear), DIV (radial "
       "divergence), KDP (specific differential phase)"},
-    FirstAndFurtherMoments(), [](auto& of) { return std::tie(of.moment, of.furtherMoments); },
-    KnownToMethod));
+    MomentsValue(), [](auto& of) -> auto& { return of.moments; }, KnownToMethod));
   rows.push_back(MakeSetting<MergeOptions>(
     {"method",
       "How rays become voxels: beam (interpolates between tilts and times), or thesis (mean of the "

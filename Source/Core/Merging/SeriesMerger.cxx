@@ -2,17 +2,12 @@
 #include "nexrad/Merging/SeriesMerger.h"
 
 #include "nexrad/Merging/Store.h"
-#include "nexrad/Series/InputFiles.h"
-#include "nexrad/Series/SharedScan.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/Thesis/ThesisGeometry.h"
 
 #include <algorithm>
 #include <atomic>
-#include <functional>
 #include <iterator>
-#include <map>
-#include <set>
 #include <utility>
 
 namespace nexrad
@@ -35,12 +30,12 @@ std::string ExplainNothing(const SeriesScan& scan)
 }
 
 // When the files' volumes began, as their headers say.
-std::vector<TimeSpan> HeaderTimes(const std::vector<SiteFileList>& headers)
+std::vector<TimeSpan> HeaderTimes(const FilesByRadar& headers)
 {
   std::vector<TimeSpan> times;
-  for (const SiteFileList& site : headers)
+  for (const auto& [radar, files] : headers)
   {
-    for (const TimedFile& file : site.files)
+    for (const TimedFile& file : files)
     {
       times.push_back({file.time, file.time});
     }
@@ -58,20 +53,6 @@ std::vector<std::pair<Site, SeriesVolume>> FindVolumes(Iterator begin, Iterator 
     volumes = store.Scan(file->index).volumes;
   }
   return volumes;
-}
-
-std::vector<ReadyVolume> OfRadar(const std::vector<ReadyVolume>& volumes, const std::string& name)
-{
-  std::vector<ReadyVolume> own;
-  std::copy_if(volumes.begin(), volumes.end(), std::back_inserter(own),
-    [&name](const ReadyVolume& volume) { return volume.RadarName() == name; });
-  return own;
-}
-
-SeriesOptions OneThreadAFile(SeriesOptions series)
-{
-  series.level2.threads = 1;
-  return series;
 }
 
 // What volumes have near the ground: those that some time takes, or all.
@@ -154,8 +135,7 @@ void SeriesMerger::FindFiles()
       const MemoryNeed need =
         RequireMemory(options, sizes, setup.threads, setup.use, KnownPlaces(headers));
       memoryForRays = MemoryForKeptRays(options, need);
-      store = std::make_unique<Store>(
-        found.paths, headers.value_or(std::vector<SiteFileList>()), setup.threads);
+      store = std::make_unique<Store>(found.paths, headers.value_or(FilesByRadar()), setup.threads);
       if (setup.anyOrder)
       {
         store->KeepUpTo(memoryForRays);
@@ -168,11 +148,6 @@ void SeriesMerger::FindFiles()
   }
   setup.processes.RequireSame(
     names, "the processes do not find the same input files; all need the same folders");
-}
-
-void SeriesMerger::RequireMemoryOfGrid() const
-{
-  RequireMemory(options, sizes, setup.threads, setup.use, request.grid, positions);
 }
 
 // Whether there may be several; true as long as the headers do not tell.
@@ -193,7 +168,8 @@ SeriesOptions SeriesMerger::ScanOptions() const
 void SeriesMerger::BeginStore()
 {
   StoreWork work;
-  work.options = OneThreadAFile(this->ScanOptions());
+  work.options = this->ScanOptions();
+  work.options.level2.threads = 1; // several files are decoded at a time
   work.prepare = [this](const std::shared_ptr<const PolarVolume>& volume)
   { return MakeReady(volume, *std::atomic_load(&planned)); };
   work.rule = VolumeRuleOf(request);
@@ -219,12 +195,12 @@ bool SeriesMerger::NeedsLastRay() const
 std::vector<std::size_t> SeriesMerger::EndFiles() const
 {
   std::set<std::size_t> ends;
-  for (const SiteFileList& site : *headers)
+  for (const auto& [radar, files] : *headers)
   {
-    ends.insert(site.files.front().index);
+    ends.insert(files.front().index);
     if (this->NeedsLastRay())
     {
-      ends.insert(site.files.back().index);
+      ends.insert(files.back().index);
     }
   }
   return {ends.begin(), ends.end()};
@@ -303,9 +279,13 @@ void SeriesMerger::Plan(const SeriesScan& decoded, const TimeSpan& ends)
     sites.push_back(series.site.name);
   }
   positions = decoded.Positions();
-  this->FindBiases();
+  if (options.measureBiases)
+  {
+    request.beam.biases = this->CompareRadars().biases;
+  }
+  RequireRadars(request.beam.biases, sites);
   request.grid = GridOf(options, positions, decoded.Range());
-  this->RequireMemoryOfGrid();
+  RequireMemory(options, sizes, setup.threads, setup.use, request.grid, positions);
   this->PlanRequest(true);
   rays = ends;
 }
@@ -348,16 +328,6 @@ void SeriesMerger::PlanByScan()
   this->Plan(*scan, {*scan->First(), *scan->Last()});
   this->BeginStore();
   times = TimeStepsOf(options, *scan);
-}
-
-// Those that are taken off, once the radars are known.
-void SeriesMerger::FindBiases()
-{
-  if (options.measureBiases)
-  {
-    request.beam.biases = this->CompareRadars().biases;
-  }
-  RequireRadars(request.beam.biases, sites);
 }
 
 BiasReport SeriesMerger::CompareRadars() const
@@ -480,7 +450,7 @@ std::optional<std::vector<ReadyVolume>> SeriesMerger::VolumesOf(
   }
   const Catalogue catalogue = store->Listed();
   const std::vector<ChosenVolume> chosen =
-    catalogue.ChosenAt(time, VolumeRuleOf(request), options.Moments());
+    catalogue.ChosenAt(time, VolumeRuleOf(request), options.moments);
   const std::vector<bool> reaching = this->FindReaching(catalogue, chosen);
   std::optional<std::vector<ReadyVolume>> volumes = this->VolumesAbout(time, reaching, progress);
   for (const ChosenVolume& each : chosen)
@@ -517,7 +487,7 @@ std::optional<GriddedVolume> SeriesMerger::Merge(
 {
   const auto volumes = this->VolumesOf(time, block, progress);
   return volumes
-           ? MergeMoments(*volumes, options.Moments(), request, progress, run, std::move(memory))
+           ? MergeMoments(*volumes, options.moments, request, progress, run, std::move(memory))
            : std::nullopt;
 }
 
@@ -526,7 +496,7 @@ bool SeriesMerger::MergeInBands(Time time, int rows, const TakeBand& take, const
 {
   constexpr double decoding = 0.5; // of the work
   const auto volumes = this->VolumesOf(time, block, ShareOf(progress, 0.0, decoding));
-  return volumes && MergeBands(*volumes, options.Moments(), request, rows, take,
+  return volumes && MergeBands(*volumes, options.moments, request, rows, take,
                       ShareOf(progress, decoding, 1.0), run);
 }
 
@@ -543,9 +513,11 @@ bool SeriesMerger::MergeEachRadar(
   radarRuns.resize(sites.size());
   for (std::size_t i = 0; i < sites.size(); ++i)
   {
-    const std::vector<ReadyVolume> own = OfRadar(*volumes, sites[i]);
+    std::vector<ReadyVolume> own;
+    std::copy_if(volumes->begin(), volumes->end(), std::back_inserter(own),
+      [&name = sites[i]](const ReadyVolume& volume) { return volume.RadarName() == name; });
     std::optional<GriddedVolume> merged = MergeMoments(
-      own, options.Moments(), request, ShareOf(progress, i, sites.size()), radarRuns[i], {});
+      own, options.moments, request, ShareOf(progress, i, sites.size()), radarRuns[i], {});
     if (!merged)
     {
       return false;
@@ -677,7 +649,7 @@ std::optional<BeamVolumes> SeriesMerger::EchoAbout(Time time, const Progress& pr
 // What merges reflectivity of the same files; nullptr when `progress` asked to stop.
 SeriesMerger* SeriesMerger::MergerOfEcho(const Progress& progress)
 {
-  const std::vector<MomentName> moments = options.Moments();
+  const std::vector<MomentName>& moments = options.moments;
   if (std::find(moments.begin(), moments.end(), MomentName::REF) != moments.end())
   {
     return this;
@@ -685,8 +657,7 @@ SeriesMerger* SeriesMerger::MergerOfEcho(const Progress& progress)
   if (!echoMerger)
   {
     MergeOptions ofEcho = options;
-    ofEcho.moment = MomentName::REF;
-    ofEcho.furtherMoments.clear();
+    ofEcho.moments = {MomentName::REF};
     ofEcho.measureBiases = false; // biases do not change where echo moves
     auto merger = std::make_unique<SeriesMerger>(inputs, ofEcho, setup);
     if (!merger->Open(progress))
@@ -740,7 +711,7 @@ std::optional<GriddedVolume> SeriesMerger::MergeBox(
   asked.time = time;
   const Progress merging = ShareOf(progress, following, 1.0);
   const std::optional<std::vector<ReadyVolume>> volumes = this->VolumesAbout(time, {}, merging);
-  return volumes ? MergeMoments(*volumes, options.Moments(), asked, merging, boxRun) : std::nullopt;
+  return volumes ? MergeMoments(*volumes, options.moments, asked, merging, boxRun) : std::nullopt;
 }
 
 // What is known of the inputs so far.

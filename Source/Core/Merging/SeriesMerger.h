@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Calibration/RadarComparison.h"
+#include "nexrad/Calibration/RadarBiases.h"
 #include "nexrad/Grid/FinerBox.h"
 #include "nexrad/Merging/BoxFollower.h"
 #include "nexrad/Merging/MemoryNeed.h"
 #include "nexrad/Merging/MergeOptions.h"
 #include "nexrad/Merging/TimeMerge.h"
 #include "nexrad/Series/InputFiles.h"
-#include "nexrad/Series/SharedScan.h"
+#include "nexrad/Series/ScanInputs.h"
 #include "nexrad/System/Processes.h"
 #include "nexrad/System/Progress.h"
 
@@ -172,7 +172,6 @@ public:
 private:
   bool Begin(const Progress& progress);
   void FindFiles();
-  void RequireMemoryOfGrid() const;
   bool BeginByHeaders();
   bool OpenByHeaders();
   std::vector<std::size_t> EndFiles() const;
@@ -181,7 +180,6 @@ private:
   bool KnowTogether(const std::vector<std::size_t>& indices, const Progress& progress);
   bool HasSeveralRadars() const;
   SeriesOptions ScanOptions() const;
-  void FindBiases();
   void Plan(const SeriesScan& decoded, const TimeSpan& ends);
   bool ScanFiles(const Progress& progress);
   void PlanByScan();
@@ -207,9 +205,9 @@ private:
   MergeOptions options;
   MergeRequest request;
   InputFiles found;
-  InputSizes sizes;                                 ///< of the files that were found
-  std::size_t memoryForRays = 0;                    ///< that are kept for other times
-  std::optional<std::vector<SiteFileList>> headers; ///< of the files; empty when they do not tell
+  InputSizes sizes;                           ///< of the files that were found
+  std::size_t memoryForRays = 0;              ///< that are kept for other times
+  std::optional<FilesByRadar> headers;        ///< of the files; empty when they do not tell
   std::map<std::string, std::size_t> origins; ///< of the files; empty until LearnFiles needs them
   std::set<std::string> told;     ///< origins of the files that KnownFiles told, or LearnFiles
   std::optional<SeriesScan> scan; ///< of all files

@@ -68,8 +68,8 @@ std::shared_ptr<const VolumeSummary> SummaryOf(const std::vector<ReadyVolume>& m
 
 } // namespace
 
-Store::Store(std::vector<std::filesystem::path> thePaths, std::vector<SiteFileList> theHeaders,
-  unsigned theThreadCount)
+Store::Store(
+  std::vector<std::filesystem::path> thePaths, FilesByRadar theHeaders, unsigned theThreadCount)
   : paths(std::move(thePaths))
   , headers(std::move(theHeaders))
   , threadCount(std::max(1U, theThreadCount))
@@ -103,7 +103,7 @@ void Store::Begin(StoreWork theWork, Catalogue listed)
 {
   this->End();
   work = std::move(theWork);
-  moments = work.options.Moments();
+  moments = work.options.moments;
   catalogue = std::move(listed);
   for (File& file : files)
   {
@@ -139,17 +139,17 @@ void Store::Begin(StoreWork theWork, Catalogue listed)
 // rays, from the time in its header to that in the next.
 void Store::List()
 {
-  for (const SiteFileList& site : headers)
+  for (const auto& [name, own] : headers)
   {
-    for (auto file = site.files.begin(); file != site.files.end(); ++file)
+    for (auto file = own.begin(); file != own.end(); ++file)
     {
       if (IsUnknown(files[file->index].scanned))
       {
         SeriesVolume volume;
         volume.input = file->index;
         volume.start = file->time;
-        volume.end = std::next(file) != site.files.end() ? std::next(file)->time : Time::max();
-        catalogue.Of({site.name, {}}).volumes.push_back(volume);
+        volume.end = std::next(file) != own.end() ? std::next(file)->time : Time::max();
+        catalogue.Of({name, {}}).volumes.push_back(volume);
       }
     }
   }
@@ -207,7 +207,7 @@ void Store::Work()
   }
 }
 
-// Called with the lock. What somebody waits for comes first, then what stands next in time.
+// What somebody waits for comes first, then what stands next in time.
 std::optional<std::size_t> Store::NextFile()
 {
   while (!wanted.empty())
@@ -233,7 +233,7 @@ std::optional<std::size_t> Store::NextFile()
   return next != end ? std::optional(next->index) : std::nullopt;
 }
 
-// Called with the lock. The files that may be decoded ahead, where those up to a time are needed.
+// The files that may be decoded ahead, where those up to a time are needed.
 Store::FileRange Store::Ahead(Time time) const
 {
   const auto first = std::upper_bound(order.begin(), order.end(), TimedFile{0, time}, IsEarlier);
@@ -309,7 +309,6 @@ void Store::Load(std::size_t index, File& file, bool keeps)
   }
 }
 
-// Called with the lock.
 void Store::Keep(std::size_t index, File&& loaded)
 {
   File& file = files[index];
@@ -359,7 +358,6 @@ void Store::Keep(std::size_t index, File&& loaded)
   }
 }
 
-// Called with the lock.
 void Store::LearnFile(std::size_t index)
 {
   SiteSeries& series = catalogue.sites[files[index].site];
@@ -375,7 +373,6 @@ void Store::LearnFile(std::size_t index)
   }
 }
 
-// Called with the lock.
 void Store::Want(std::size_t index)
 {
   if (files[index].state == State::Waiting)
@@ -385,13 +382,12 @@ void Store::Want(std::size_t index)
   }
 }
 
-// Called with the lock.
 bool Store::IsWanted(std::size_t site) const
 {
   return wantedSites.empty() || wantedSites[site];
 }
 
-// Called with the lock. False when `progress` asked to stop.
+// False when `progress` asked to stop.
 bool Store::WaitFor(
   std::unique_lock<std::mutex>& lock, const std::function<bool()>& there, const Progress& progress)
 {
@@ -503,9 +499,8 @@ ScannedFile Store::Scan(std::size_t index)
   return files[index].scanned;
 }
 
-// Called with the lock. The files that a time may take, as far as headers tell, and of which nobody
-// knows what they hold; once that is known, there may be others. Copies, and what stands between,
-// come along.
+// The files that a time may take, as far as headers tell, and of which nobody knows what they hold;
+// once that is known, there may be others. Copies, and what stands between, come along.
 std::vector<std::size_t> Store::UnknownAbout(std::size_t site, MomentName moment, Time time) const
 {
   Time first = Time::max();
@@ -553,8 +548,7 @@ Catalogue Store::Listed() const
   return catalogue;
 }
 
-// Called with the lock. True when it is known what the files about a time hold; else asks for those
-// of which it is not.
+// True when it is known what the files about a time hold; else asks for those of which it is not.
 bool Store::KnowsAbout(Time time)
 {
   bool known = true;
@@ -574,8 +568,7 @@ bool Store::KnowsAbout(Time time)
   return known;
 }
 
-// Called with the lock. The volumes that a time needs, when it is known what the files about it
-// hold.
+// The volumes that a time needs, when it is known what the files about it hold.
 std::vector<ChosenVolume> Store::ChosenAt(Time time) const
 {
   std::vector<ChosenVolume> chosen = catalogue.ChosenAt(time, work.rule, moments);
@@ -585,8 +578,7 @@ std::vector<ChosenVolume> Store::ChosenAt(Time time) const
   return chosen;
 }
 
-// Called with the lock. The volumes that a time needs; empty, and asked for, while some are not
-// there.
+// The volumes that a time needs; empty, and asked for, while some are not there.
 std::optional<std::vector<ChosenVolume>> Store::Demand(Time time)
 {
   reached = std::max(reached.value_or(time), time);
@@ -716,8 +708,8 @@ std::string Store::LastMadeOf(Time time) const
   return made.at(time);
 }
 
-// Called with the lock. Drops of what is ready what the time did not need, but for what was made
-// ready ahead of it, and for what Scan asked for and no time needed yet.
+// Drops of what is ready what the time did not need, but for what was made ready ahead of it, and
+// for what Scan asked for and no time needed yet.
 void Store::Release(Time time, const std::vector<ChosenVolume>& needed)
 {
   // Files of several radars may have the time of the last one ahead.
@@ -753,16 +745,16 @@ void Store::Release(Time time, const std::vector<ChosenVolume>& needed)
 bool Store::HeadersErr() const
 {
   const std::lock_guard<std::mutex> lock(mutex);
-  for (const SiteFileList& site : headers)
+  for (const auto& [name, own] : headers)
   {
     Time latest = Time::min();
-    for (const TimedFile& each : site.files)
+    for (const TimedFile& each : own)
     {
       for (const auto& [of, volume] : files[each.index].scanned.volumes)
       {
         const Duration error = volume.start - each.time;
         const bool first = &volume == &files[each.index].scanned.volumes.front().second;
-        if (volume.start < latest || (!of.name.empty() && of.name != site.name) ||
+        if (volume.start < latest || (!of.name.empty() && of.name != name) ||
             (first && (error > largestHeaderError || -error > largestHeaderError)))
         {
           return true;

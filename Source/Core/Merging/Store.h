@@ -53,8 +53,7 @@ class Store
 public:
   /// `headers` list the files that a time may need before it is known what they hold. `threads`
   /// decode, at least 1.
-  Store(
-    std::vector<std::filesystem::path> paths, std::vector<SiteFileList> headers, unsigned threads);
+  Store(std::vector<std::filesystem::path> paths, FilesByRadar headers, unsigned threads);
   ~Store();
   Store(const Store&) = delete;
   Store& operator=(const Store&) = delete;
@@ -165,10 +164,11 @@ private:
   void End();
   void List();
   void Work();
-  std::optional<std::size_t> NextFile();
-  FileRange Ahead(Time time) const;
   bool HoldsMoments(File& file) const;
   void Load(std::size_t index, File& file, bool keeps);
+  // To be called with the lock:
+  std::optional<std::size_t> NextFile();
+  FileRange Ahead(Time time) const;
   void Keep(std::size_t index, File&& loaded);
   void LearnFile(std::size_t index);
   void Want(std::size_t index);
@@ -182,7 +182,7 @@ private:
     const Progress& progress = {});
 
   const std::vector<std::filesystem::path> paths;
-  const std::vector<SiteFileList> headers;
+  const FilesByRadar headers;
   const unsigned threadCount;
   std::atomic<std::size_t> decodedFiles{0};
   StoreWork work; // changes while no thread runs

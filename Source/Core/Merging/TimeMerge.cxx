@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Merging/TimeMerge.h"
 
-#include "nexrad/Grid/GridText.h"
-#include "nexrad/Grid/VolumeMoments.h"
 #include "nexrad/Merging/MergeSettings.h"
-#include "nexrad/Model/SiteKey.h"
+#include "nexrad/Model/Site.h"
 #include "nexrad/Settings/ValueTexts.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/Thesis/ThesisGeometry.h"
@@ -14,8 +12,6 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <memory>
-#include <string>
 
 namespace nexrad
 {
@@ -80,15 +76,47 @@ BeamVolumes BeamVolumesOf(const std::vector<ReadyVolume>& volumes)
   return ready;
 }
 
-void CheckMotion(const Velocity& motion)
+// One volume of several moments, of which `merge(number, memory)` makes each; empty when it does
+// not.
+template <class Merge>
+std::optional<GriddedVolume> MergeEachMoment(
+  const std::vector<MomentName>& moments, GriddedVolume memory, const Merge& merge)
 {
-  // Also refuses what is no number.
-  if (!(std::hypot(motion.east, motion.north) <= FastestEcho))
+  std::vector<GriddedVolume> memories = SplitMoments(std::move(memory));
+  memories.resize(moments.size());
+  std::vector<GriddedVolume> merged;
+  for (std::size_t i = 0; i < moments.size(); ++i)
   {
-    throw Error("motion of " + std::to_string(motion.east) + " m/s towards east and " +
-                std::to_string(motion.north) + " towards north: its speed must be at most " +
-                std::to_string(static_cast<int>(FastestEcho)) + " m/s");
+    std::optional<GriddedVolume> one = merge(i, std::move(memories[i]));
+    if (!one)
+    {
+      return std::nullopt;
+    }
+    one->moment = moments[i]; // which a merge of no volumes does not know
+    merged.push_back(std::move(*one));
   }
+  return JoinMoments(std::move(merged));
+}
+
+// What merges of one moment at one time have in common, whatever the block.
+struct PlannedMoment
+{
+  std::shared_ptr<const MotionField> motion; // of the plan
+  BeamMergePlan plan;
+};
+
+std::vector<PlannedMoment> PlanMoments(const std::vector<ReadyVolume>& volumes,
+  const std::vector<MomentName>& moments, const MergeRequest& request, MergeRun& run)
+{
+  std::vector<PlannedMoment> planned;
+  for (const MomentName moment : moments)
+  {
+    const BeamVolumes ready = BeamVolumesOf(OfMoment(volumes, moment));
+    BeamMerger& merger = run.MergerFor(request);
+    const auto motion = run.MotionFor(ready, request);
+    planned.push_back({motion, merger.Plan(ready, request.time, motion.get(), request.loop)});
+  }
+  return planned;
 }
 
 } // namespace
@@ -158,8 +186,15 @@ std::shared_ptr<const MotionField> MergeRun::MotionFor(
   }
   if (request.motion)
   {
-    CheckMotion(*request.motion);
-    return std::make_shared<const MotionField>(MotionField::Constant(*request.motion));
+    const Velocity& motion = *request.motion;
+    // Also refuses what is no number.
+    if (!(std::hypot(motion.east, motion.north) <= FastestEcho))
+    {
+      throw Error("motion of " + std::to_string(motion.east) + " m/s towards east and " +
+                  std::to_string(motion.north) + " towards north: its speed must be at most " +
+                  std::to_string(static_cast<int>(FastestEcho)) + " m/s");
+    }
+    return std::make_shared<const MotionField>(MotionField::Constant(motion));
   }
   return LooksForMotion(request, volumes.front()->moment)
            ? tracker->Find(volumes, request.time, request.loop)
@@ -179,33 +214,6 @@ std::optional<GriddedVolume> MergeVolumes(const std::vector<ReadyVolume>& volume
   return merger.Merge(ready, request.time, motion.get(), request.loop, progress, std::move(memory));
 }
 
-namespace
-{
-
-// One volume of several moments, of which `merge(number, memory)` makes each; empty when it does
-// not.
-template <class Merge>
-std::optional<GriddedVolume> MergeEachMoment(
-  const std::vector<MomentName>& moments, GriddedVolume memory, const Merge& merge)
-{
-  std::vector<GriddedVolume> memories = SplitMoments(std::move(memory));
-  memories.resize(moments.size());
-  std::vector<GriddedVolume> merged;
-  for (std::size_t i = 0; i < moments.size(); ++i)
-  {
-    std::optional<GriddedVolume> one = merge(i, std::move(memories[i]));
-    if (!one)
-    {
-      return std::nullopt;
-    }
-    one->moment = moments[i]; // which a merge of no volumes does not know
-    merged.push_back(std::move(*one));
-  }
-  return JoinMoments(std::move(merged));
-}
-
-} // namespace
-
 std::optional<GriddedVolume> MergeMoments(const std::vector<ReadyVolume>& volumes,
   const std::vector<MomentName>& moments, const MergeRequest& request, const Progress& progress,
   MergeRun& run, GriddedVolume memory)
@@ -217,32 +225,6 @@ std::optional<GriddedVolume> MergeMoments(const std::vector<ReadyVolume>& volume
         ShareOf(progress, i, moments.size()), run, std::move(own));
     });
 }
-
-namespace
-{
-
-// What merges of one moment at one time have in common, whatever the block.
-struct PlannedMoment
-{
-  std::shared_ptr<const MotionField> motion; // of the plan
-  BeamMergePlan plan;
-};
-
-std::vector<PlannedMoment> PlanMoments(const std::vector<ReadyVolume>& volumes,
-  const std::vector<MomentName>& moments, const MergeRequest& request, MergeRun& run)
-{
-  std::vector<PlannedMoment> planned;
-  for (const MomentName moment : moments)
-  {
-    const BeamVolumes ready = BeamVolumesOf(OfMoment(volumes, moment));
-    BeamMerger& merger = run.MergerFor(request);
-    const auto motion = run.MotionFor(ready, request);
-    planned.push_back({motion, merger.Plan(ready, request.time, motion.get(), request.loop)});
-  }
-  return planned;
-}
-
-} // namespace
 
 bool MergeBands(const std::vector<ReadyVolume>& volumes, const std::vector<MomentName>& moments,
   MergeRequest request, int rows, const TakeBand& take, const Progress& progress, MergeRun& run)

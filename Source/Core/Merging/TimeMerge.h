@@ -2,7 +2,6 @@
 #pragma once
 
 #include "nexrad/Grid/GriddedVolume.h"
-#include "nexrad/Grid/VoxelBlock.h"
 #include "nexrad/Merging/MergeOptions.h"
 #include "nexrad/Motion/MotionTracker.h"
 #include "nexrad/Polar/PolarVolume.h"
@@ -52,8 +51,8 @@ bool LooksForMotion(const MergeRequest& request, MomentName moment);
 ReadyVolume MakeReady(
   const std::shared_ptr<const PolarVolume>& volume, const MergeRequest& request);
 
-/// What merges at several times of one grid share: the radars' geometry, the volumes of the last
-/// one made ready, and what their motion was found from. A run passes one object to all its merges,
+/// What merges at several times of one grid share: the radars' geometry, the means of volumes that
+/// lacked them, and what their motion was found from. A run passes one object to all its merges,
 /// one after the other; it changes no result.
 class MergeRun
 {
@@ -61,8 +60,8 @@ public:
   /// The merger for the request's grid and options: the one before, when they are the same.
   BeamMerger& MergerFor(const MergeRequest& request);
 
-  /// The motion along which the request asks to interpolate between volumes that MergerFor's merger
-  /// made ready; nullptr for none.
+  /// The motion along which the request asks to interpolate between volumes that are ready; nullptr
+  /// for none.
   std::shared_ptr<const MotionField> MotionFor(
     const BeamVolumes& volumes, const MergeRequest& request);
 

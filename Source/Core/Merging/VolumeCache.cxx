@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Merging/VolumeCache.h"
 
-#include "nexrad/Grid/VolumeMoments.h"
-
 #include <algorithm>
 #include <cstring>
 
@@ -30,7 +28,8 @@ public:
       if (end - at >= shortestRun)
       {
         this->AddValues(values, begin, at);
-        this->AddRun(values[at], end - at);
+        this->Append(static_cast<std::uint64_t>(end - at) * 2 + 1);
+        this->Append(values[at]);
         begin = end;
       }
       at = end;
@@ -63,13 +62,6 @@ private:
   {
     const auto* first = reinterpret_cast<const std::uint8_t*>(&value);
     bytes.insert(bytes.end(), first, first + sizeof value);
-  }
-
-  template <class Value>
-  void AddRun(const Value& value, std::size_t count)
-  {
-    this->Append(static_cast<std::uint64_t>(count) * 2 + 1);
-    this->Append(value);
   }
 
   template <class Value>
@@ -131,14 +123,14 @@ private:
 
 // Calls `visit` for each array of a volume, which may be const; always in the same order.
 template <class Volume, class Visit>
-void ForEachArray(Volume& volume, const Visit& visit)
+void ForEachVoxelArray(Volume& volume, const Visit& visit)
 {
   visit(volume.values);
   visit(volume.states);
   ForEachAncillaryArray(volume.ancillary, [&](const char*, auto& values) { visit(values); });
   for (auto& further : volume.further)
   {
-    ForEachArray(further, visit);
+    ForEachVoxelArray(further, visit);
   }
 }
 
@@ -168,7 +160,7 @@ void VolumeCache::Keep(const VoxelBlock& block, const GriddedVolume& volume)
     return;
   }
   Packer packer;
-  ForEachArray(volume, [&](const auto& values) { packer.Add(values); });
+  ForEachVoxelArray(volume, [&](const auto& values) { packer.Add(values); });
   Packed packed{block, DescriptionOf(volume), std::move(packer).Bytes()};
   const std::size_t bytes = packed.arrays.size();
   while (bytes <= limit && used + bytes > limit)
@@ -193,7 +185,7 @@ std::optional<GriddedVolume> VolumeCache::Find(const VoxelBlock& block, Time tim
   entries.splice(entries.begin(), entries, packed);
   GriddedVolume volume = packed->description;
   Unpacker unpacker(packed->arrays);
-  ForEachArray(volume, [&](auto& values) { unpacker.Fill(values); });
+  ForEachVoxelArray(volume, [&](auto& values) { unpacker.Fill(values); });
   return volume;
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "nexrad/Grid/GriddedVolume.h"
-#include "nexrad/Grid/VoxelBlock.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Series/Catalogue.h"
 
-#include "nexrad/Grid/MakeGrid.h"
-#include "nexrad/Model/SiteKey.h"
 #include "nexrad/Model/SiteTable.h"
 
 #include <algorithm>
@@ -15,7 +13,7 @@ namespace nexrad
 
 bool SeriesVolume::Has(MomentName moment) const
 {
-  return std::find(lacking.begin(), lacking.end(), moment) == lacking.end();
+  return moments.empty() || std::find(moments.begin(), moments.end(), moment) != moments.end();
 }
 
 bool IsBefore(const SeriesVolume& a, const SeriesVolume& b)
@@ -104,12 +102,8 @@ std::string Catalogue::MadeOf(
 
 std::optional<Time> Catalogue::First() const
 {
-  std::optional<Time> first;
-  for (const SiteSeries& series : sites)
-  {
-    first = std::min(first.value_or(series.volumes.front().start), series.volumes.front().start);
-  }
-  return first;
+  const std::vector<TimeSpan> spans = this->Spans();
+  return spans.empty() ? std::nullopt : std::optional(spans.front().first);
 }
 
 std::optional<Time> Catalogue::Last() const

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Beams/VolumeSummary.h"
+#include "nexrad/Beams/BeamVolume.h"
 #include "nexrad/Calibration/LowEcho.h"
 #include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/Model/Moment.h"
@@ -37,12 +37,12 @@ struct SeriesVolume
   bool synthetic = false;                       ///< made by the simulator
   std::shared_ptr<const VolumeSummary> summary; ///< when it was asked for
   std::shared_ptr<const LowEcho> lowEcho;       ///< of reflectivity, when it was asked for
-  std::vector<MomentName> moments;              ///< all that some ray has
-  std::vector<MomentName> lacking;  ///< of the moments that were asked for, those that no ray has
+  std::vector<MomentName> moments;  ///< all that some ray has; empty where that is not known
   std::optional<ReasonCounts> echo; ///< gates of reflectivity by what quality control found in
                                     ///< them, once it was made; empty where quality control is off
   std::optional<double> endsAt;     ///< PolarVolume::endsAt, once a moment was made
 
+  /// Whether some ray has, or may have, a moment.
   bool Has(MomentName moment) const;
 };
 

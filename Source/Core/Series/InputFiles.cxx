@@ -2,7 +2,6 @@
 #include "nexrad/Series/InputFiles.h"
 
 #include "nexrad/Archives/StoredFiles.h"
-#include "nexrad/Level2/ChunkFolder.h"
 #include "nexrad/Level2/Level2File.h"
 
 #include <unistd.h>
@@ -20,13 +19,6 @@ namespace fs = std::filesystem;
 
 namespace
 {
-
-std::vector<fs::path> SortedEntries(const fs::path& folder, std::error_code& failure)
-{
-  std::vector<fs::path> entries = ListFolder(folder, failure);
-  std::sort(entries.begin(), entries.end());
-  return entries;
-}
 
 class Finder
 {
@@ -74,10 +66,18 @@ private:
       this->Add(folder);
       return;
     }
-    const std::vector<fs::path> entries = SortedEntries(folder, failure);
+    std::vector<fs::path> entries = ListFolder(folder, failure);
+    std::sort(entries.begin(), entries.end());
     if (failure)
     {
-      this->RefuseFolder(folder, depth, failure.message());
+      const std::string what = "the folder cannot be read: " + failure.message();
+      if (depth == 0)
+      {
+        throw InputError(folder.string() + ": " + what, true);
+      }
+      // What is wrong with a folder in a folder that was named does not hold up the rest.
+      ++this->seen;
+      this->Refuse(folder, what);
     }
     for (const fs::path& entry : entries)
     {
@@ -95,18 +95,6 @@ private:
         this->Refuse(entry, "more than " + std::to_string(MaximumDepth) + " folders deep");
       }
     }
-  }
-
-  // What is wrong with a folder in a folder that was named does not hold up the rest.
-  void RefuseFolder(const fs::path& folder, int depth, const std::string& why)
-  {
-    const std::string what = "the folder cannot be read: " + why;
-    if (depth == 0)
-    {
-      throw InputError(folder.string() + ": " + what, true);
-    }
-    ++this->seen;
-    this->Refuse(folder, what);
   }
 
   // An archive is a folder of its members.
@@ -174,6 +162,16 @@ std::string InputProblem::Line() const
   return file + (offset ? ": offset " + std::to_string(*offset) : std::string()) + ": " + what;
 }
 
+std::vector<std::string> ProblemLines(const std::vector<InputProblem>& problems)
+{
+  std::vector<std::string> lines;
+  for (const InputProblem& problem : problems)
+  {
+    lines.push_back(problem.Line());
+  }
+  return lines;
+}
+
 bool IsChunkFolder(const fs::path& path)
 {
   std::error_code failure;
@@ -192,10 +190,10 @@ InputFiles FindInputFiles(const std::vector<fs::path>& inputs)
   return finder.found;
 }
 
-std::optional<std::vector<SiteFileList>> ListByHeaders(
+std::optional<FilesByRadar> ListByHeaders(
   const std::vector<std::filesystem::path>& paths, const std::string& siteName)
 {
-  std::map<std::string, SiteFileList> sites;
+  FilesByRadar radars;
   for (std::size_t index = 0; index < paths.size(); ++index)
   {
     const std::optional<VolumeHeader> header = PeekVolumeHeader(paths[index]);
@@ -204,18 +202,13 @@ std::optional<std::vector<SiteFileList>> ListByHeaders(
     {
       return std::nullopt;
     }
-    SiteFileList& site = sites[name];
-    site.name = name;
-    site.files.push_back({index, *header->time});
+    radars[name].push_back({index, *header->time});
   }
-  std::vector<SiteFileList> list;
-  for (auto& [name, site] : sites)
+  for (auto& [name, files] : radars)
   {
-    std::stable_sort(site.files.begin(), site.files.end(),
-      [](const TimedFile& a, const TimedFile& b) { return a.time < b.time; });
-    list.push_back(std::move(site));
+    std::stable_sort(files.begin(), files.end(), IsEarlier);
   }
-  return list;
+  return radars;
 }
 
 } // namespace nexrad

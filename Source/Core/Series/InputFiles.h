@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,6 +41,9 @@ struct InputProblem
   std::string Line() const;
 };
 
+/// The lines of problems, in their order.
+std::vector<std::string> ProblemLines(const std::vector<InputProblem>& problems);
+
 /// The radar files that a user's list of files and folders stands for.
 struct InputFiles
 {
@@ -71,18 +75,15 @@ inline bool IsEarlier(const TimedFile& a, const TimedFile& b)
   return a.time < b.time;
 }
 
-/// The files of one radar by what their headers say.
-struct SiteFileList
-{
-  std::string name;             ///< of the radar; the rays may know better
-  std::vector<TimedFile> files; ///< by time, then as they were given; never empty
-};
+/// The files of radars, by the names in the headers; the rays may know better. Those of each radar
+/// by time, then as they were given; never empty.
+using FilesByRadar = std::map<std::string, std::vector<TimedFile>>;
 
 /// Which files belong to which radar and time, from their first bytes: enough to decode them in the
 /// order in which they are needed, not to rely on. `siteName`, when not empty, replaces the names
 /// in the files. Empty when a header lacks a time or a name, or cannot be had without decompressing
 /// much.
-std::optional<std::vector<SiteFileList>> ListByHeaders(
+std::optional<FilesByRadar> ListByHeaders(
   const std::vector<std::filesystem::path>& paths, const std::string& siteName = {});
 
 } // namespace nexrad

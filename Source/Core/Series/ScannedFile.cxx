@@ -3,7 +3,7 @@
 
 #include "nexrad/Archives/StoredFiles.h"
 #include "nexrad/Model/Elevation.h"
-#include "nexrad/Model/SiteKey.h"
+#include "nexrad/Model/Site.h"
 #include "nexrad/Model/StrayRays.h"
 #include "nexrad/Moments/MomentMaker.h"
 #include "nexrad/System/Error.h"
@@ -15,7 +15,6 @@
 #include <map>
 #include <new>
 #include <sstream>
-#include <string>
 
 namespace nexrad
 {
@@ -34,7 +33,7 @@ bool HasMoment(const RadarVolume& volume, MomentName moment)
 std::vector<MomentName> MomentsOf(
   const RadarVolume& volume, const SeriesOptions& options, bool has = true)
 {
-  std::vector<MomentName> moments = options.Moments();
+  std::vector<MomentName> moments = options.moments;
   const auto other = [&](MomentName moment) { return HasMoment(volume, moment) != has; };
   moments.erase(std::remove_if(moments.begin(), moments.end(), other), moments.end());
   return moments;
@@ -61,9 +60,9 @@ std::string ReasonToLeaveOut(const RadarVolume& volume, const SeriesOptions& opt
   {
     return "the position of site \"" + volume.site.name + "\" is unknown: left out";
   }
-  if (options.moment && MomentsOf(volume, options).empty())
+  if (!options.moments.empty() && MomentsOf(volume, options).empty())
   {
-    return "no ray has " + NamesOf(options.Moments()) + ": left out";
+    return "no ray has " + NamesOf(options.moments) + ": left out";
   }
   return {};
 }
@@ -119,7 +118,6 @@ SeriesVolume Describe(const RadarVolume& volume, const std::filesystem::path& pa
   description.synthetic = volume.synthetic;
   std::copy_if(KnownMoments.begin(), KnownMoments.end(), std::back_inserter(description.moments),
     [&volume](MomentName moment) { return HasMoment(volume, moment); });
-  description.lacking = MomentsOf(volume, options, false);
   return description;
 }
 
@@ -176,7 +174,7 @@ void AddTo(VolumeSummary& all, VolumeSummary&& one)
 std::string Visit(SeriesVolume& description, const RadarVolume& volume,
   const SeriesOptions& options, const VolumeVisitor& visitor)
 {
-  if (!options.moment && visitor)
+  if (options.moments.empty() && visitor)
   {
     visitor(description, volume, nullptr);
   }
@@ -231,9 +229,10 @@ void AddCycle(const RadarVolume& volume, const std::filesystem::path& path, std:
   }
   scanned.volumes.emplace_back(volume.site, Describe(volume, path, cycle, options));
   SeriesVolume& description = scanned.volumes.back().second;
-  if (!description.lacking.empty())
+  const std::vector<MomentName> lacking = MomentsOf(volume, options, false);
+  if (!lacking.empty())
   {
-    tell("no ray has " + NamesOf(description.lacking), false);
+    tell("no ray has " + NamesOf(lacking), false);
   }
   if (const std::string strays = SummarizeStrays(volume); !strays.empty())
   {
@@ -243,54 +242,31 @@ void AddCycle(const RadarVolume& volume, const std::filesystem::path& path, std:
 }
 
 // Where each radar stands by most of its volumes; of two places with as many, the first.
-class SitePlaces
+std::map<SiteKey, Site> FindSitePlaces(const std::vector<ScannedFile>& files)
 {
-public:
-  explicit SitePlaces(const std::vector<ScannedFile>& files)
+  using Place = std::pair<Site, std::size_t>; // and how many volumes stand there
+  std::map<SiteKey, std::vector<Place>> places;
+  for (const ScannedFile& file : files)
   {
-    for (const ScannedFile& file : files)
+    for (const auto& [site, volume] : file.volumes)
     {
-      for (const auto& [site, volume] : file.volumes)
+      if (site.position)
       {
-        this->Add(site);
+        std::vector<Place>& own = places[KeyOf(site)];
+        const auto same = std::find_if(own.begin(), own.end(),
+          [&at = site](const Place& place) { return !StandApart(place.first, at); });
+        ++(same != own.end() ? *same : own.emplace_back(Place{site, 0})).second;
       }
     }
   }
-
-  // The radar of that name, where it stands elsewhere than `site` does; else nullptr.
-  const Site* FindOther(const Site& site) const
+  const auto fewer = [](const Place& a, const Place& b) { return a.second < b.second; };
+  std::map<SiteKey, Site> most;
+  for (const auto& [key, own] : places)
   {
-    const auto places = sites.find(KeyOf(site));
-    if (places == sites.end())
-    {
-      return nullptr;
-    }
-    const auto most = std::max_element(places->second.begin(), places->second.end(),
-      [](const Place& a, const Place& b) { return a.volumes < b.volumes; });
-    return StandApart(most->site, site) ? &most->site : nullptr;
+    most[key] = std::max_element(own.begin(), own.end(), fewer)->first;
   }
-
-private:
-  struct Place
-  {
-    Site site;
-    std::size_t volumes = 0;
-  };
-
-  void Add(const Site& site)
-  {
-    if (!site.position)
-    {
-      return;
-    }
-    std::vector<Place>& places = sites[KeyOf(site)];
-    const auto own = std::find_if(places.begin(), places.end(),
-      [&site](const Place& place) { return !StandApart(place.site, site); });
-    ++(own != places.end() ? *own : places.emplace_back(Place{site})).volumes;
-  }
-
-  std::map<SiteKey, std::vector<Place>> sites;
-};
+  return most;
+}
 
 ScannedFile ScanWithinMemory(
   const std::filesystem::path& path, const SeriesOptions& options, const VolumeVisitor& visitor)
@@ -314,16 +290,6 @@ ScannedFile ScanWithinMemory(
 }
 
 } // namespace
-
-std::vector<MomentName> SeriesOptions::Moments() const
-{
-  std::vector<MomentName> moments = furtherMoments;
-  if (moment)
-  {
-    moments.insert(moments.begin(), *moment);
-  }
-  return moments;
-}
 
 std::string OriginOf(const std::filesystem::path& path)
 {
@@ -403,7 +369,7 @@ SeriesScan CollectSeries(std::vector<InputProblem> problems, const std::vector<S
 {
   SeriesScan scan;
   scan.problems = std::move(problems);
-  const SitePlaces places(files);
+  const std::map<SiteKey, Site> places = FindSitePlaces(files);
   for (std::size_t input = 0; input < files.size(); ++input)
   {
     const ScannedFile& file = files[input];
@@ -411,9 +377,11 @@ SeriesScan CollectSeries(std::vector<InputProblem> problems, const std::vector<S
     scan.notes.insert(scan.notes.end(), file.notes.begin(), file.notes.end());
     for (const auto& [site, volume] : file.volumes)
     {
-      if (const Site* other = places.FindOther(site))
+      const auto place = places.find(KeyOf(site));
+      if (place != places.end() && StandApart(place->second, site))
       {
-        scan.problems.push_back({volume.file.string(), {}, DescribePlaces(site, *other), true});
+        scan.problems.push_back(
+          {volume.file.string(), {}, DescribePlaces(site, place->second), true});
         continue;
       }
       SiteSeries& series = scan.Of(site);

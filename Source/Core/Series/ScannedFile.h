@@ -3,14 +3,13 @@
 
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Model/RadarVolume.h"
-#include "nexrad/Moments/MomentOptions.h"
+#include "nexrad/Moments/MomentMaker.h"
 #include "nexrad/Polar/PolarVolume.h"
 #include "nexrad/Series/Catalogue.h"
 
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,15 +22,11 @@ namespace nexrad
 struct SeriesOptions : MomentOptions
 {
   Level2Options level2;
-  std::optional<MomentName> moment;       ///< a volume without it and the further ones is left out
-  std::vector<MomentName> furtherMoments; ///< beside `moment`, which must be set then
-  bool requirePosition = false;           ///< a volume of a site without a position is left out
-  bool lowEchoes = false; ///< make SeriesVolume::lowEcho where REF is among the moments
+  std::vector<MomentName> moments; ///< a volume without any of them is left out; empty: none is
+  bool requirePosition = false;    ///< a volume of a site without a position is left out
+  bool lowEchoes = false;          ///< make SeriesVolume::lowEcho where REF is among the moments
   bool summaries = false; ///< make the summaries of the volumes, of the moments, one at least
   unsigned threads = 0;   ///< that decode files; 0: as many as there are cores
-
-  /// `moment` and those beside it.
-  std::vector<MomentName> Moments() const;
 };
 
 /// Called for each volume while its data are in memory, once for each moment of the options that it

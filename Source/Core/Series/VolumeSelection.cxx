@@ -1,28 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Series/VolumeSelection.h"
 
-#include "nexrad/Motion/MotionInterval.h"
+#include "nexrad/Motion/MotionTracker.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <iterator>
 #include <utility>
 
 namespace nexrad
 {
 
-VolumeBracket FindBracket(const std::vector<Time>& starts, Time time, Duration maximumGap)
+std::vector<std::size_t> FindBracket(
+  const std::vector<Time>& starts, Time time, Duration maximumGap)
 {
-  VolumeBracket bracket;
-  const auto next = std::upper_bound(starts.begin(), starts.end(), time);
-  if (next != starts.begin() && time - *std::prev(next) <= maximumGap)
+  std::vector<std::size_t> bracket;
+  const auto next =
+    static_cast<std::size_t>(std::upper_bound(starts.begin(), starts.end(), time) - starts.begin());
+  if (next > 0 && time - starts[next - 1] <= maximumGap)
   {
-    bracket.before = static_cast<std::size_t>(std::distance(starts.begin(), next)) - 1;
+    bracket.push_back(next - 1);
   }
-  if (next != starts.end() && *next - time <= maximumGap)
+  if (next < starts.size() && starts[next] - time <= maximumGap)
   {
-    bracket.after = static_cast<std::size_t>(std::distance(starts.begin(), next));
+    bracket.push_back(next);
   }
   return bracket;
 }
@@ -31,8 +32,8 @@ std::vector<std::size_t> FindVolumesAbout(
   const std::vector<Time>& starts, const std::vector<Time>& ends, Time time, Duration maximumGap)
 {
   std::vector<std::size_t> about;
-  const auto next = static_cast<std::size_t>(
-    std::distance(starts.begin(), std::upper_bound(starts.begin(), starts.end(), time)));
+  const auto next =
+    static_cast<std::size_t>(std::upper_bound(starts.begin(), starts.end(), time) - starts.begin());
   std::optional<std::size_t> last;       // of those that ended
   std::optional<std::size_t> beforeLast; // the one that ended before it
   for (std::size_t i = 0; i < next; ++i)
@@ -79,20 +80,8 @@ std::vector<std::size_t> FindVolumesAbout(
 std::vector<std::size_t> ChooseVolumes(
   const std::vector<Time>& starts, const std::vector<Time>& ends, Time time, const VolumeRule& rule)
 {
-  if (!rule.byNominalTimes)
-  {
-    return FindVolumesAbout(starts, ends, time, rule.maximumGap);
-  }
-  const VolumeBracket bracket = FindBracket(starts, time, rule.maximumGap);
-  std::vector<std::size_t> chosen;
-  for (const std::optional<std::size_t>& index : {bracket.before, bracket.after})
-  {
-    if (index)
-    {
-      chosen.push_back(*index);
-    }
-  }
-  return chosen;
+  return rule.byNominalTimes ? FindBracket(starts, time, rule.maximumGap)
+                             : FindVolumesAbout(starts, ends, time, rule.maximumGap);
 }
 
 std::vector<Time> TimeSteps(Time first, Time last, Duration step)

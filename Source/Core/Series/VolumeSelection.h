@@ -10,17 +10,11 @@
 namespace nexrad
 {
 
-/// Indices of the volumes of one site just before (or at) and just after a time.
-struct VolumeBracket
-{
-  std::optional<std::size_t> before;
-  std::optional<std::size_t> after;
-};
-
-/// Finds the bracket of `time` among the nominal times of a site's volumes (Formulas T4). `starts`
-/// ascends. A volume farther than `maximumGap` from `time` does not count. A volume at `time`
-/// exactly is `before`.
-VolumeBracket FindBracket(const std::vector<Time>& starts, Time time, Duration maximumGap);
+/// Indices of the volumes of one site just before (or at) a time and just after it, by their
+/// nominal times (Formulas T4), as far as they are there. `starts` ascends. A volume farther than
+/// `maximumGap` from `time` does not count.
+std::vector<std::size_t> FindBracket(
+  const std::vector<Time>& starts, Time time, Duration maximumGap);
 
 /// Indices of the volumes of one site that hold the rays just before and just after a time
 /// (Formulas A1): the last volume that ended at or before it, those in progress, and the first that

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Settings/ValueTypes.h"
+#include "nexrad/Model/Moment.h"
+#include "nexrad/Settings/ValueTexts.h"
+#include "nexrad/System/Error.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
+#include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -14,6 +19,112 @@
 /// DrawingSettings.h).
 namespace nexrad
 {
+
+/// What is said of the values of a setting.
+struct ValueDescription
+{
+  std::string kind;                 ///< "length", "duration", "time", "choice", "flag", …
+  std::string unit;                 ///< placeholder in help texts, as "LENGTH"; empty for a flag
+  std::vector<std::string> choices; ///< the names of a choice, in the order of its numbers
+  int least = 0;                    ///< of a number
+  int most = 0;                     ///< of a number
+};
+
+/// How a value is read of a text and written as one. `parse` throws Error, saying what is wrong
+/// with the text and what would be right; parse(text(value)) is the value.
+template <typename Value>
+struct ValueType : ValueDescription
+{
+  std::function<Value(const std::string&)> parse;
+  std::function<std::string(const Value&)> text;
+};
+
+ValueType<Duration> DurationValue();
+ValueType<Time> TimeValue();
+ValueType<double> LengthValue();
+ValueType<std::array<int, 3>> DimensionsValue();
+ValueType<GeographicBounds> BoundsValue();
+ValueType<std::tuple<double, double>> HeightRangeValue();
+ValueType<Velocity> MotionValue();
+ValueType<std::vector<MomentName>> MomentsValue();
+/// "on" and "off"; "1", "0", "true" and "false" are read as well.
+ValueType<bool> FlagValue();
+/// A whole number from `least` to `most`. `refusal` says after the text what is wrong and what
+/// would be right; by default "is no number from 0 to 1".
+ValueType<int> NumberValue(int least, int most, const std::string& refusal = "");
+/// Likewise any number.
+ValueType<double> RealValue(
+  double least, double most, const std::string& unit, const std::string& refusal = "");
+/// Width and height of a picture in pixels.
+ValueType<std::array<int, 2>> PictureSizeValue();
+
+/// The same type, of which only values that `isRight` takes are right; `refusal` says after the
+/// text what is wrong and what would be right.
+template <typename Value>
+ValueType<Value> Where(
+  ValueType<Value> type, std::function<bool(const Value&)> isRight, std::string refusal)
+{
+  type.parse = [parse = type.parse, isRight, refusal](const std::string& text)
+  {
+    const Value value = parse(text);
+    if (!isRight(value))
+    {
+      throw Error("'" + text + "' " + refusal);
+    }
+    return value;
+  };
+  return type;
+}
+
+/// The same type, whose empty text is no value.
+template <typename Value>
+ValueType<std::optional<Value>> Optional(const ValueType<Value>& type)
+{
+  ValueType<std::optional<Value>> optional{{type}, {}, {}};
+  optional.parse = [parse = type.parse](const std::string& text)
+  { return text.empty() ? std::nullopt : std::optional<Value>(parse(text)); };
+  optional.text = [write = type.text](const std::optional<Value>& value)
+  { return value ? write(*value) : ""; };
+  return optional;
+}
+
+/// The names as a sentence lists them: "mean, nearest or maximum".
+std::string ListOfChoices(const std::vector<std::string>& names);
+
+/// One of the values, by its name. `noun` is what a name is, as "method".
+template <typename Value>
+ValueType<Value> ChoiceValue(const std::string& noun,
+  const std::vector<std::pair<std::string, Value>>& choices, const std::string& unit = "NAME")
+{
+  ValueType<Value> type{{"choice", unit, {}}, {}, {}};
+  for (const auto& [name, value] : choices)
+  {
+    type.choices.push_back(name);
+  }
+  type.parse = [noun, choices, names = type.choices](const std::string& text)
+  {
+    for (const auto& [name, value] : choices)
+    {
+      if (text == name)
+      {
+        return value;
+      }
+    }
+    throw Error("'" + text + "' is no " + noun + "; write " + ListOfChoices(names));
+  };
+  type.text = [choices](const Value& wanted)
+  {
+    for (const auto& [name, value] : choices)
+    {
+      if (wanted == value)
+      {
+        return name;
+      }
+    }
+    return std::string();
+  };
+  return type;
+}
 
 /// An option of the program as its text: "--preset" and "storm cores". A flag has no value.
 struct OptionText
@@ -164,31 +275,6 @@ std::vector<OptionText> ToTexts(
   return texts;
 }
 
-/// Sets what the options say. Throws Error, with the name of the option, for one that the table
-/// does not have and for a text that is wrong.
-template <typename Settings>
-void FromTexts(
-  const SettingTable<Settings>& table, const std::vector<OptionText>& texts, Settings& settings)
-{
-  for (const auto& [name, value] : texts)
-  {
-    const auto found = std::find_if(table.begin(), table.end(),
-      [&name = name](const Setting<Settings>& setting) { return setting.Option() == name; });
-    if (found == table.end())
-    {
-      throw Error(name + ": there is no such option");
-    }
-    try
-    {
-      SetOption(*found, value, settings);
-    }
-    catch (const Error& error)
-    {
-      throw Error(name + ": " + error.what());
-    }
-  }
-}
-
 /// Whether all settings of the table are the same.
 template <typename Settings>
 bool AreSame(const SettingTable<Settings>& table, const Settings& a, const Settings& b)
@@ -198,7 +284,7 @@ bool AreSame(const SettingTable<Settings>& table, const Settings& a, const Setti
 }
 
 /// The rows as a JSON array, an object for each: key, option, kind, choices, least,
-/// most, default, excludes, use ("result", "machine", "library", "picture", "program") and says.
+/// most, default, excludes, use ("result", "machine", "picture", "program") and says.
 std::string SettingsJson(const std::vector<SettingRow>& rows);
 
 } // namespace nexrad

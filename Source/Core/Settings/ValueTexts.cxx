@@ -8,7 +8,7 @@
 #include <locale>
 #include <optional>
 #include <sstream>
-#include <vector>
+#include <string_view>
 
 namespace nexrad
 {
@@ -24,12 +24,10 @@ struct Quantity
 // A finite number and what follows it; empty when the text does not start with a number.
 std::optional<Quantity> SplitQuantity(const std::string& text)
 {
-  std::istringstream stream(text);
-  stream.imbue(std::locale::classic());
   // Extraction of a double would take the first letters of "5e" or "1d" for an exponent.
   const std::size_t end = text.find_first_not_of("+-.0123456789");
-  const std::string digits = text.substr(0, end);
-  stream.str(digits);
+  std::istringstream stream(text.substr(0, end));
+  stream.imbue(std::locale::classic());
   Quantity quantity;
   stream >> quantity.number;
   if (!stream || stream.peek() != std::istringstream::traits_type::eof() ||
@@ -52,67 +50,49 @@ std::vector<std::string> SplitAt(const std::string& text, char separator)
   return parts;
 }
 
-using UnitTable = std::vector<std::pair<std::string, double>>;
+// The name of a unit, and what one of it is in the unit of the result.
+using Unit = std::pair<std::string_view, double>;
+constexpr Unit lengthUnits[] = {{"m", 1.0}, {"km", 1000.0}};
+constexpr Unit durationUnits[] = {
+  {"", 1.0}, {"s", 1.0}, {"min", 60.0}, {"h", 3600.0}, {"d", 86400.0}};
+constexpr Unit memoryUnits[] = {
+  {"", 1.0}, {"KiB", 1024.0}, {"MiB", 1024.0 * 1024.0}, {"GiB", 1024.0 * 1024.0 * 1024.0}};
 
-// What one of a unit is; empty for a unit that the table does not have.
-std::optional<double> FindUnit(const UnitTable& units, const std::string& unit)
+// A number times its unit; empty for a text that is no number, or has none of the units.
+template <std::size_t Count>
+std::optional<double> FindAmount(const std::string& text, const Unit (&units)[Count])
 {
+  const std::optional<Quantity> quantity = SplitQuantity(text);
   for (const auto& [name, size] : units)
   {
-    if (unit == name)
+    if (quantity && quantity->unit == name)
     {
-      return size;
+      return quantity->number * size;
     }
   }
   return std::nullopt;
 }
 
-// Metres of one unit of length.
-std::optional<double> LengthUnit(const std::string& unit)
-{
-  static const UnitTable units = {{"m", 1.0}, {"km", 1000.0}};
-  return FindUnit(units, unit);
-}
-
-// Seconds of one unit of time.
-std::optional<double> DurationUnit(const std::string& unit)
-{
-  static const UnitTable units = {
-    {"", 1.0}, {"s", 1.0}, {"min", 60.0}, {"h", 3600.0}, {"d", 86400.0}};
-  return FindUnit(units, unit);
-}
-
-// Bytes of one unit of memory.
-std::optional<double> MemoryUnit(const std::string& unit)
-{
-  static const UnitTable units = {
-    {"", 1.0}, {"KiB", 1024.0}, {"MiB", 1024.0 * 1024.0}, {"GiB", 1024.0 * 1024.0 * 1024.0}};
-  return FindUnit(units, unit);
-}
-
-// Whole numbers separated by 'x', each within the limits; empty for any other text.
+// Whole numbers separated by 'x', each within the limits. `refusal` says after the text what is
+// wrong with any other and what would be right.
 template <std::size_t Count>
-std::optional<std::array<int, Count>> ParseCounts(const std::string& text, int least, int most)
+std::array<int, Count> ParseCounts(
+  const std::string& text, int least, int most, const std::string& refusal)
 {
   const std::vector<std::string> parts = SplitAt(text, 'x');
   std::array<int, Count> counts{};
-  if (parts.size() != Count)
+  bool right = parts.size() == Count;
+  for (std::size_t i = 0; right && i < Count; ++i)
   {
-    return std::nullopt;
+    const std::string& part = parts[i];
+    const bool isWhole = !part.empty() && part.size() <= 9 &&
+                         part.find_first_not_of("0123456789") == std::string::npos;
+    counts[i] = isWhole ? std::stoi(part) : 0;
+    right = isWhole && counts[i] >= least && counts[i] <= most;
   }
-  for (std::size_t i = 0; i < Count; ++i)
+  if (!right)
   {
-    const bool isWhole =
-      !parts[i].empty() && parts[i].find_first_not_of("0123456789") == std::string::npos;
-    if (!isWhole || parts[i].size() > 9)
-    {
-      return std::nullopt;
-    }
-    counts[i] = std::stoi(parts[i]);
-    if (counts[i] < least || counts[i] > most)
-    {
-      return std::nullopt;
-    }
+    throw Error("'" + text + "' " + refusal);
   }
   return counts;
 }
@@ -155,14 +135,13 @@ std::string NumberText(double value)
 
 Duration ParseDuration(const std::string& text)
 {
-  const auto quantity = SplitQuantity(text);
-  const auto unit = quantity ? DurationUnit(quantity->unit) : std::nullopt;
+  const std::optional<double> seconds = FindAmount(text, durationUnits);
   constexpr double century = 100.0 * 366.0 * 86400.0;
-  if (!unit || quantity->number < 0.0 || quantity->number * *unit > century)
+  if (!seconds || *seconds < 0.0 || *seconds > century)
   {
     throw Error("'" + text + "' is no duration; write a number and s, min, h or d, as in 5min");
   }
-  return Duration(std::llround(quantity->number * *unit * 1000.0));
+  return Duration(std::llround(*seconds * 1000.0));
 }
 
 std::string DurationText(Duration duration)
@@ -194,12 +173,12 @@ double ParseLength(const std::string& text)
     }
     throw Error("'" + text + "' has no unit; write " + text + "km or " + text + "m");
   }
-  const auto unit = quantity ? LengthUnit(quantity->unit) : std::nullopt;
-  if (!unit)
+  const std::optional<double> metres = FindAmount(text, lengthUnits);
+  if (!metres)
   {
     throw Error("'" + text + "' is no length; write a number and m or km, as in 230km");
   }
-  return quantity->number * *unit;
+  return *metres;
 }
 
 std::string LengthText(double metres)
@@ -210,14 +189,13 @@ std::string LengthText(double metres)
 
 std::size_t ParseMemory(const std::string& text)
 {
-  const auto quantity = SplitQuantity(text);
-  const auto unit = quantity ? MemoryUnit(quantity->unit) : std::nullopt;
+  const std::optional<double> bytes = FindAmount(text, memoryUnits);
   constexpr double most = 1024.0 * 1024.0 * 1024.0 * 1024.0;
-  if (!unit || quantity->number < 0.0 || quantity->number * *unit > most)
+  if (!bytes || *bytes < 0.0 || *bytes > most)
   {
     throw Error("'" + text + "' is no size of memory; write a number and MiB or GiB, as in 512MiB");
   }
-  return static_cast<std::size_t>(quantity->number * *unit);
+  return static_cast<std::size_t>(*bytes);
 }
 
 std::string BytesText(std::size_t bytes)
@@ -267,14 +245,8 @@ std::string HeightRangeText(double bottom, double top)
 
 std::array<int, 3> ParseDimensions(const std::string& text)
 {
-  const auto counts = ParseCounts<3>(text, 1, 100'000);
-  if (!counts)
-  {
-    throw Error("'" + text +
-                "' is no size of a grid; write three numbers of voxels from 1 on, as in "
-                "256x256x128");
-  }
-  return *counts;
+  return ParseCounts<3>(text, 1, 100'000,
+    "is no size of a grid; write three numbers of voxels from 1 on, as in 256x256x128");
 }
 
 std::string DimensionsText(const std::array<int, 3>& dimensions)
@@ -285,14 +257,8 @@ std::string DimensionsText(const std::array<int, 3>& dimensions)
 
 std::array<int, 2> ParsePictureSize(const std::string& text)
 {
-  const auto counts = ParseCounts<2>(text, 16, 16'384);
-  if (!counts)
-  {
-    throw Error("'" + text +
-                "' is no size of a picture; write width and height from 16 to 16384 "
-                "pixels, as in 1280x720");
-  }
-  return *counts;
+  return ParseCounts<2>(text, 16, 16'384,
+    "is no size of a picture; write width and height from 16 to 16384 pixels, as in 1280x720");
 }
 
 GeographicBounds ParseBounds(const std::string& text)
@@ -351,7 +317,7 @@ double ParsePlace(const std::string& text, PlaceUnit& unit)
   }
   constexpr std::size_t letters = 3; // of deg
   const bool degrees = quantity && quantity->unit == "deg";
-  if (!degrees && !(quantity && LengthUnit(quantity->unit)))
+  if (!degrees && !FindAmount(text, lengthUnits))
   {
     throw Error("'" + text + "' is no place; write a number and km, m or deg, as in 20km");
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "nexrad/Grid/GridSpecification.h"
 #include "nexrad/Grid/MakeGrid.h"
-#include "nexrad/Grid/PlaceUnit.h"
 #include "nexrad/Model/Time.h"
 #include "nexrad/Motion/MotionField.h"
 

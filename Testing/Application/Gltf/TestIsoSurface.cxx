@@ -83,7 +83,7 @@ vtkSmartPointer<vtkPolyData> SurfaceOf(
 {
   vtkNew<vtkPlaneCollection> none;
   const SceneFrame frame(volume, exaggeration);
-  return SurfaceMaker(volume, frame).Make(value, planes != nullptr ? planes : none.Get());
+  return MakeSurface(MakeCounting(volume, frame), value, planes != nullptr ? planes : none.Get());
 }
 
 std::array<double, 3> FromCentre(const double* point)

@@ -35,6 +35,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 using namespace nexrad;
 using namespace nexrad::viewer;
@@ -54,6 +55,29 @@ protected:
     this->OpenSteps(steps);
     window->resize(1200, 900);
     this->WaitForPicture();
+  }
+
+  // The pixel of a section that shows a distance from A and a height in m: it reads what is
+  // nearest.
+  static QPoint PixelInSection(const SectionChart& chart, const std::array<double, 2>& wanted)
+  {
+    const QPoint middle(chart.width() / 2, chart.height() / 2);
+    QPoint found = middle;
+    for (const std::size_t axis : {0U, 1U})
+    {
+      double least = std::numeric_limits<double>::max();
+      for (int i = 0; i < (axis == 0 ? chart.width() : chart.height()); ++i)
+      {
+        const auto place = chart.PlaceAt(axis == 0 ? QPoint(i, middle.y()) : QPoint(middle.x(), i));
+        const double away = place ? std::abs((*place)[axis] - wanted[axis]) : least;
+        if (away < least)
+        {
+          least = away;
+          (axis == 0 ? found.rx() : found.ry()) = i;
+        }
+      }
+    }
+    return found;
   }
 
   // The pixel of the view at which a place of the ground is.
@@ -224,7 +248,7 @@ TEST_F(WindowCuttingTest, TheChartShowsTheSectionInTheColoursOfTheBar)
       double point[3];
       int index[3] = {i, k, 0};
       section->GetPoint(section->ComputePointId(index), point);
-      const QColor shown = picture.pixelColor(chart->PixelOf(point[0], point[1]));
+      const QColor shown = picture.pixelColor(PixelInSection(*chart, {point[0], point[1]}));
       const scene::Colour& wanted = colours.bins[static_cast<std::size_t>(bin)].colour;
       const bool same = std::abs(shown.redF() - wanted[0]) < 0.02 &&
                         std::abs(shown.greenF() - wanted[1]) < 0.02 &&
@@ -245,7 +269,7 @@ TEST_F(WindowCuttingTest, TheMouseReadsValuesInTheSection)
   this->OpenWide(1);
   this->DrawLine(west, east);
   SectionChart* chart = this->Panel()->Chart();
-  const QPoint pixel = chart->PixelOf(60'000.0, 3'000.0);
+  const QPoint pixel = PixelInSection(*chart, {60'000.0, 3'000.0});
   QMouseEvent move(QEvent::MouseMove, pixel, Qt::NoButton, Qt::NoButton, Qt::NoModifier);
   QCoreApplication::sendEvent(chart, &move);
   const QString text = this->Find<QLabel>("section reading")->text();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Live/AwaitedEnds.h"
+#include "nexrad/Live/LiveSeries.h"
 
 #include "Scans/RadarsOfMissouri.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Live/ChunkExtent.h"
+#include "nexrad/Live/ChunkedVolume.h"
 
 #include "Feed/ChunkMaker.h"
 #include "Scans/RadarsOfMissouri.h"
@@ -9,11 +9,6 @@
 
 using namespace nexrad;
 using namespace nexrad::testing;
-
-namespace
-{
-
-} // namespace
 
 // A file that somebody is still writing has fewer bytes than its lengths say, wherever it ends.
 TEST(ChunkExtents, EveryChunkIsCutUntilItsLastByteCame)

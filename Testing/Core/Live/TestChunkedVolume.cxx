@@ -4,9 +4,7 @@
 #include "Feed/ChunkMaker.h"
 #include "Scans/RadarsOfMissouri.h"
 #include "TestData.h"
-#include "nexrad/Level2/ChunkFolder.h"
 #include "nexrad/Level2/Level2File.h"
-#include "nexrad/Live/ChunkExtent.h"
 
 #include <gtest/gtest.h>
 
@@ -97,7 +95,7 @@ TEST(ChunkedVolumes, InAnyOrderAndRepeatedlyGiveTheVolumeOfTheFolder)
       repeated += Add(volume, chunk) == ChunkedVolume::Arrival::Repeated ? 1 : 0;
     }
     EXPECT_EQ(repeated, 5);
-    EXPECT_TRUE(volume.IsWhole());
+    EXPECT_TRUE(volume.HasEnd() && volume.Missing().empty());
     EXPECT_EQ(volume.DecodedCount(), 13U);
     ExpectSame(volume.Volume(), expected);
   }
@@ -153,7 +151,6 @@ TEST(ChunkedVolumes, WhatFollowsAMissingChunkWaitsForIt)
   }
   EXPECT_EQ(volume.Missing(), std::vector<int>{5});
   EXPECT_TRUE(volume.HasEnd());
-  EXPECT_FALSE(volume.IsWhole());
   EXPECT_EQ(volume.DecodedCount(), 4U);
   EXPECT_EQ(ArrivedSweeps(volume.Volume()).size(), 1U);
 
@@ -165,7 +162,7 @@ TEST(ChunkedVolumes, WhatFollowsAMissingChunkWaitsForIt)
   ExpectSame(volume.Volume(), ReadLevel2(folder.Path()));
 
   EXPECT_EQ(Add(volume, chunks[4]), ChunkedVolume::Arrival::Late);
-  EXPECT_TRUE(volume.IsWhole());
+  EXPECT_TRUE(volume.HasEnd() && volume.Missing().empty());
   WriteChunks(folder.Path(), chunks);
   ExpectSame(volume.Volume(), ReadLevel2(folder.Path()));
 }

@@ -98,7 +98,7 @@ TEST_F(LiveMerges, AreThoseOfTheFinishedFilesWhateverTheOrder)
 
 TEST_F(LiveMerges, OfSeveralMomentsToo)
 {
-  options.furtherMoments = {MomentName::VEL};
+  options.moments = {MomentName::REF, MomentName::VEL};
   LiveSeries series(options, ThreadLoop(2));
   std::vector<LiveInput> inputs;
   for (const fs::path& path : folders)

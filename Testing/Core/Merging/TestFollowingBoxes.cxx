@@ -159,7 +159,7 @@ TEST_F(FollowingBoxes, HaveOnePlaceForEachTime)
 TEST_F(FollowingBoxes, FollowReflectivityWhateverTheirMoment)
 {
   MergeOptions velocity;
-  velocity.moment = MomentName::VEL;
+  velocity.moments = {MomentName::VEL};
   const std::unique_ptr<SeriesMerger> ofVelocity = Open(folder->Path(), velocity);
   const std::unique_ptr<SeriesMerger> merger = Open(folder->Path());
   const BoxRequest box = BoxAbout(SupercellsNear(merger->Grid(), 180e3).front(), merger->Grid());

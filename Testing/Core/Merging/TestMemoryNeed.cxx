@@ -47,7 +47,7 @@ TEST(MemoryNeed, CountsTheBytesOfVoxels)
   EXPECT_EQ(Need(options).voxels, voxels * (2 * 5 + 2));
   options.beam.ancillary = true; // age, number, weight, nearest radar
   EXPECT_EQ(Need(options).voxels, voxels * (2 * 15 + 2));
-  options.furtherMoments = {MomentName::VEL};
+  options.moments = {MomentName::REF, MomentName::VEL};
   EXPECT_EQ(Need(options).voxels, voxels * (2 * 30 + 2));
 }
 
@@ -88,10 +88,10 @@ TEST(MemoryNeed, ARefusalTellsOneNeed)
 
 TEST(MemoryNeed, HeadersAndTheSiteTableTellWhereRadarsStand)
 {
-  const std::vector<SiteFileList> radars = {{"KTLX", {}}, {"KLSX", {}}};
+  const FilesByRadar radars = {{"KTLX", {}}, {"KLSX", {}}};
   ASSERT_EQ(KnownPlaces(radars).size(), 2U);
-  EXPECT_NEAR(KnownPlaces(radars)[1].latitude, 38.7, 0.01);
-  EXPECT_TRUE(KnownPlaces(std::vector<SiteFileList>{{"KTLX", {}}, {"XXXX", {}}}).empty());
+  EXPECT_NEAR(KnownPlaces(radars)[0].latitude, 38.7, 0.01);
+  EXPECT_TRUE(KnownPlaces(FilesByRadar{{"KTLX", {}}, {"XXXX", {}}}).empty());
   EXPECT_TRUE(KnownPlaces(std::nullopt).empty());
 }
 

@@ -392,7 +392,7 @@ TEST_F(RowOfRadars, ABlockIsMadeFromTheFilesOfTheRadarsThatReachIt)
 
 TEST_F(RowOfRadars, BandsAreMadeOfTheSameVolumes)
 {
-  options.furtherMoments = {MomentName::VEL};
+  options.moments = {MomentName::REF, MomentName::VEL};
   for (const bool ancillary : {false, true})
   {
     options.beam.ancillary = ancillary;

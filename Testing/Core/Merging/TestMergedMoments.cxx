@@ -6,7 +6,7 @@
 #include "Scans/RadarsOfMissouri.h"
 #include "TestData.h"
 #include "VolumePart.h"
-#include "nexrad/Grid/VolumeMoments.h"
+#include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
@@ -92,8 +92,7 @@ protected:
   std::unique_ptr<SeriesMerger> Open(const std::vector<MomentName>& moments, MergerSetup setup = {})
   {
     MergeOptions own = options;
-    own.moment = moments.front();
-    own.furtherMoments.assign(moments.begin() + 1, moments.end());
+    own.moments = moments;
     setup.threads = 2;
     auto merger =
       std::make_unique<SeriesMerger>(std::vector<std::filesystem::path>{folder.Path()}, own, setup);
@@ -200,11 +199,11 @@ TEST_F(MergingMoments, ABlockIsAPartOfTheWhole)
 
 TEST_F(MergingMoments, AMomentTwiceAndOneThatTheMethodDoesNotKnowAreRefused)
 {
-  options.furtherMoments = {MomentName::VEL, MomentName::REF};
+  options.moments = {MomentName::REF, MomentName::VEL, MomentName::REF};
   EXPECT_THROW(SeriesOptionsOf(options), Error);
-  options.furtherMoments = {MomentName::VEL};
-  EXPECT_EQ(SeriesOptionsOf(options).Moments(),
-    (std::vector<MomentName>{MomentName::REF, MomentName::VEL}));
+  options.moments = {MomentName::REF, MomentName::VEL};
+  EXPECT_EQ(
+    SeriesOptionsOf(options).moments, (std::vector<MomentName>{MomentName::REF, MomentName::VEL}));
   options.method = MergeMethod::Thesis;
   EXPECT_THROW(SeriesOptionsOf(options), Error);
 }

@@ -56,7 +56,7 @@ protected:
   StoreWork Work()
   {
     StoreWork work;
-    work.options.moment = MomentName::REF;
+    work.options.moments = {MomentName::REF};
     work.prepare = [this](const std::shared_ptr<const PolarVolume>& volume)
     {
       ReadyVolume ready = MakeReady(volume, request);
@@ -399,14 +399,14 @@ TEST(FileList, HeadersTellSiteAndTime)
   const auto list = ListByHeaders({later, first, other});
   ASSERT_TRUE(list);
   ASSERT_EQ(list->size(), 2U);
-  EXPECT_EQ(list->at(0).name, "KEAX");
-  ASSERT_EQ(list->at(0).files.size(), 2U);
-  EXPECT_EQ(list->at(0).files[0].index, 1U);
-  EXPECT_EQ(list->at(0).files[0].time, start);
-  EXPECT_EQ(list->at(0).files[1].index, 0U);
+  const std::vector<TimedFile>& files = list->at("KEAX");
+  ASSERT_EQ(files.size(), 2U);
+  EXPECT_EQ(files[0].index, 1U);
+  EXPECT_EQ(files[0].time, start);
+  EXPECT_EQ(files[1].index, 0U);
   const auto renamed = ListByHeaders({later, first, other}, "KABC");
   ASSERT_EQ(renamed->size(), 1U);
-  EXPECT_EQ(renamed->at(0).name, "KABC");
+  EXPECT_EQ(renamed->count("KABC"), 1U);
   std::ofstream(folder.Path() / "text") << "no header";
   EXPECT_FALSE(ListByHeaders({later, folder.Path() / "text"}));
   EXPECT_FALSE(ListByHeaders({folder.Path() / "absent"}));

@@ -259,11 +259,5 @@ TEST(TimeMerge, StopsWhenAskedTo)
     {&volume}, Request({*keax.position}, start), [](double) { return false; }));
 }
 
-TEST(TimeMerge, NamesOfMethods)
-{
-  EXPECT_STREQ(ToString(MergeMethod::Thesis), "thesis");
-  EXPECT_STREQ(ToString(MergeMethod::Beam), "beam");
-}
-
 } // namespace
 } // namespace nexrad

@@ -250,7 +250,7 @@ TEST(SiteSeries, LeavesOutVolumesThatCannotBeUsed)
   const auto path =
     WriteLevel2(folder.Path() / "whole", {ConstantVolume(keax, At("2006-03-12T18:00:00Z"), 20.0)});
   SeriesOptions options;
-  options.moment = MomentName::ZDR;
+  options.moments = {MomentName::ZDR};
   const auto scan = ScanInputs({path}, options);
   EXPECT_TRUE(scan->sites.empty());
   EXPECT_FALSE(scan->First());
@@ -315,7 +315,7 @@ TEST(SiteSeries, ShowsEachVolumeToTheVisitor)
   std::mutex mutex;
   std::size_t rays = 0;
   SeriesOptions options;
-  options.moment = MomentName::REF;
+  options.moments = {MomentName::REF};
   ScanInputs({folder.Path()}, options,
     [&](const SeriesVolume& key, const RadarVolume& volume,
       const std::shared_ptr<const PolarVolume>& clean)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Series/SharedScan.h"
+#include "nexrad/Series/ScanInputs.h"
 
 #include "HandMadeVolume.h"
 #include "Scans/RadarsOfMissouri.h"
@@ -7,7 +7,6 @@
 #include "ThreadProcesses.h"
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Model/SiteTable.h"
-#include "nexrad/Series/ScanInputs.h"
 #include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
@@ -189,7 +188,7 @@ TEST(SharedScan, SummariesReachAllProcesses)
       {ConstantVolume(keax, start + Duration(std::llround(60'000.0 * value)), value)});
   }
   SeriesOptions options;
-  options.moment = MomentName::REF;
+  options.moments = {MomentName::REF};
   options.summaries = true;
   const SeriesScan alone = *ScanInputs({folder.Path()}, options);
   const auto scan = [&](const Processes& processes)

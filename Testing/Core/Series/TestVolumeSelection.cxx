@@ -13,57 +13,42 @@ using namespace std::chrono_literals;
 namespace
 {
 
+using Indices = std::vector<std::size_t>;
+
 const std::vector<Time> starts = {
   At("2006-03-12T18:00:30Z"), At("2006-03-12T18:05:30Z"), At("2006-03-12T18:10:30Z")};
+const std::vector<Time> ends = {starts[0] + 280s, starts[1] + 280s, starts[2] + 280s};
 
 } // namespace
 
 TEST(FindBracket, TakesTheVolumesJustBeforeAndAfter)
 {
-  const VolumeBracket bracket = FindBracket(starts, At("2006-03-12T18:07Z"), 15min);
-  EXPECT_EQ(bracket.before, 1u);
-  EXPECT_EQ(bracket.after, 2u);
+  EXPECT_EQ(FindBracket(starts, At("2006-03-12T18:07Z"), 15min), (Indices{1, 2}));
 }
 
 TEST(FindBracket, AVolumeAtTheTimeIsBefore)
 {
-  const VolumeBracket bracket = FindBracket(starts, starts[1], 15min);
-  EXPECT_EQ(bracket.before, 1u);
-  EXPECT_EQ(bracket.after, 2u);
+  EXPECT_EQ(FindBracket(starts, starts[1], 15min), (Indices{1, 2}));
 }
 
 TEST(FindBracket, HasOneSideAtTheEnds)
 {
-  const VolumeBracket early = FindBracket(starts, At("2006-03-12T18:00Z"), 15min);
-  EXPECT_FALSE(early.before);
-  EXPECT_EQ(early.after, 0u);
-  const VolumeBracket late = FindBracket(starts, At("2006-03-12T18:20Z"), 15min);
-  EXPECT_EQ(late.before, 2u);
-  EXPECT_FALSE(late.after);
+  EXPECT_EQ(FindBracket(starts, At("2006-03-12T18:00Z"), 15min), Indices{0});
+  EXPECT_EQ(FindBracket(starts, At("2006-03-12T18:20Z"), 15min), Indices{2});
 }
 
 TEST(FindBracket, TheGapIsInclusive)
 {
-  EXPECT_EQ(FindBracket(starts, starts[2] + 15min, 15min).before, 2u);
-  EXPECT_FALSE(FindBracket(starts, starts[2] + 15min + 1ms, 15min).before);
-  EXPECT_EQ(FindBracket(starts, starts[0] - 15min, 15min).after, 0u);
-  EXPECT_FALSE(FindBracket(starts, starts[0] - 15min - 1ms, 15min).after);
+  EXPECT_EQ(FindBracket(starts, starts[2] + 15min, 15min), Indices{2});
+  EXPECT_EQ(FindBracket(starts, starts[2] + 15min + 1ms, 15min), Indices{});
+  EXPECT_EQ(FindBracket(starts, starts[0] - 15min, 15min), Indices{0});
+  EXPECT_EQ(FindBracket(starts, starts[0] - 15min - 1ms, 15min), Indices{});
 }
 
 TEST(FindBracket, WithoutVolumesThereIsNone)
 {
-  const VolumeBracket bracket = FindBracket({}, starts[0], 15min);
-  EXPECT_FALSE(bracket.before || bracket.after);
+  EXPECT_EQ(FindBracket({}, starts[0], 15min), Indices{});
 }
-
-namespace
-{
-
-using Indices = std::vector<std::size_t>;
-
-const std::vector<Time> ends = {starts[0] + 280s, starts[1] + 280s, starts[2] + 280s};
-
-} // namespace
 
 TEST(FindVolumesAbout, AVolumeInProgressStandsBetweenItsNeighbours)
 {

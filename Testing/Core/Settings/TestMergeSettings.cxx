@@ -4,6 +4,7 @@
 #include "nexrad/Merging/MergeSettings.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <map>
@@ -51,6 +52,17 @@ std::vector<std::string> TextsOf(const Setting<MergeOptions>& setting)
   return texts == someTexts.end() ? std::vector<std::string>{setting.Default()} : texts->second;
 }
 
+void SetOptions(const std::vector<OptionText>& texts, MergeOptions& options)
+{
+  for (const auto& [name, value] : texts)
+  {
+    const auto setting = std::find_if(MergeSettings().begin(), MergeSettings().end(),
+      [&name = name](const Setting<MergeOptions>& each) { return each.Option() == name; });
+    ASSERT_NE(setting, MergeSettings().end()) << name;
+    SetOption(*setting, value, options);
+  }
+}
+
 MergeOptions RandomOptions(std::mt19937& random)
 {
   MergeOptions options;
@@ -74,7 +86,7 @@ TEST(MergeSettings, WhatIsWrittenIsReadAsTheSame)
   {
     const MergeOptions options = RandomOptions(random);
     MergeOptions read;
-    FromTexts(MergeSettings(), ToTexts(MergeSettings(), options), read);
+    SetOptions(ToTexts(MergeSettings(), options), read);
     for (const Setting<MergeOptions>& setting : MergeSettings())
     {
       if (setting.use == SettingUse::Result && setting.refusal(options).empty())
@@ -107,13 +119,13 @@ TEST(MergeSettings, EachTextIsReadAsTheSameSettings)
 TEST(MergeSettings, ValuesAreThoseOfTheTexts)
 {
   MergeOptions options;
-  FromTexts(MergeSettings(),
+  SetOptions(
     {{"--height", "1,2km"}, {"--moment", "VEL,REF"}, {"--no-sharpening", ""}, {"--motion", "1,2"},
       {"--bias", "KLSX:2"}, {"--overlap", "mean"}, {"--max-gap", "2min"}},
     options);
   EXPECT_EQ(options.grid.bottom, 1000.0);
   EXPECT_EQ(options.grid.top, 2000.0);
-  EXPECT_EQ(options.Moments(), (std::vector<MomentName>{MomentName::VEL, MomentName::REF}));
+  EXPECT_EQ(options.moments, (std::vector<MomentName>{MomentName::VEL, MomentName::REF}));
   EXPECT_FALSE(options.beam.sharpen);
   EXPECT_EQ(options.motion->north, 2.0);
   EXPECT_EQ(options.beam.biases, (RadarBiases{{"KLSX", 2.0}}));
@@ -128,20 +140,34 @@ TEST(MergeSettings, DefaultsAreLeftOut)
 
 TEST(MergeSettings, WhatIsWrongIsNamed)
 {
-  const auto message = [](const char* name, const char* text)
+  const auto message = [](const char* key, const char* text)
   {
     return MessageOf(
       [&]
       {
         MergeOptions options;
-        FromTexts(MergeSettings(), {{name, text}}, options);
+        SetText(*FindSetting(MergeSettings(), key), text, options);
       });
   };
-  EXPECT_EQ(message("--colour", "red"), "--colour: there is no such option");
-  EXPECT_EQ(message("--overlap", "median"),
-    "--overlap: 'median' is no strategy; write mean, nearest, maximum or distance");
-  EXPECT_EQ(message("--despeckle", "27"), "--despeckle: '27' is no number from 0 to 26");
-  EXPECT_EQ(message("--despeckle", ""), "--despeckle: '' is no number from 0 to 26");
-  EXPECT_EQ(message("--site", "klsx"),
-    "--site: 'klsx' is no radar that is known here; write four capital letters, as in KLSX");
+  EXPECT_EQ(FindSetting(MergeSettings(), "colour"), nullptr);
+  EXPECT_EQ(message("overlap", "median"),
+    "overlap: 'median' is no strategy; write mean, nearest, maximum or distance");
+  EXPECT_EQ(message("despeckle", "27"), "despeckle: '27' is no number from 0 to 26");
+  EXPECT_EQ(message("despeckle", ""), "despeckle: '' is no number from 0 to 26");
+  EXPECT_EQ(message("site", "klsx"),
+    "site: 'klsx' is no radar that is known here; write four capital letters, as in KLSX");
+}
+
+TEST(SettingsJson, SaysWhereASettingActs)
+{
+  const std::map<SettingUse, std::string> uses = {{SettingUse::Result, "result"},
+    {SettingUse::Machine, "machine"}, {SettingUse::Picture, "picture"},
+    {SettingUse::Program, "program"}};
+  for (const auto& [use, name] : uses)
+  {
+    SettingRow row;
+    row.key = "key";
+    row.use = use;
+    EXPECT_EQ(nlohmann::json::parse(SettingsJson({row})).at(0).at("use"), name);
+  }
 }

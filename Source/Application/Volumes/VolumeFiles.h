@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Volumes/UnfinishedRun.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/Merging/MemoryNeed.h"
 #include "nexrad/Merging/MergeOptions.h"
 
 #include <filesystem>
-#include <future>
 #include <set>
 #include <string>
 #include <vector>
@@ -27,7 +25,7 @@ enum class VolumeFormat
 struct VolumeFiles
 {
   VolumeFormat format = VolumeFormat::Nxv;
-  NxvWriteOptions nxv; ///< of VolumeFormat::Nxv
+  std::optional<NxvEncoding> encoding; ///< of VolumeFormat::Nxv; default: see WriteNxv
   /// Merged volumes of more voxels, by the method beam, are made and written band after band, in
   /// bricks (NxvBandWriter); of VolumeFormat::Nxv.
   std::size_t largestWhole = std::size_t(1) << 27;
@@ -58,33 +56,8 @@ void WriteVolumeIndex(const std::filesystem::path& path, const std::vector<std::
 /// Whether merged volumes are made and written band after band, in bricks.
 bool AreInBricks(const VolumeFiles& files, const MergeOptions& options);
 
-/// What becomes of the merged volumes that are written: StepWriter has the one before, and what is
+/// What becomes of the merged volumes that are written: the one before is there, and what is
 /// made of it for its file; of volumes in bricks there is one band.
 VolumeUse UseOfWriting(const VolumeFiles& files, const MergeOptions& options);
-
-/// Writes the volumes of a run, each on a thread of its own while the next one is being made.
-class StepWriter
-{
-public:
-  /// `run` is not owned.
-  StepWriter(UnfinishedRun& run, const VolumeFiles& files);
-  StepWriter(const StepWriter&) = delete;
-  StepWriter& operator=(const StepWriter&) = delete;
-
-  /// Begins to write a volume when the one before is there. Returns the volume before, whose
-  /// arrays are free again. Throws Error when that could not be written.
-  GriddedVolume Write(GriddedVolume volume);
-
-  /// Waits for the last one. Throws Error when it could not be written.
-  void Finish();
-
-private:
-  GriddedVolume TakeLast();
-
-  UnfinishedRun& run;
-  const VolumeFiles files;
-  std::string name;                   // of the volume that is being written
-  std::future<GriddedVolume> writing; // the volume comes back
-};
 
 } // namespace nexrad::application

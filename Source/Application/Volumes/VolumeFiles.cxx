@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Volumes/StepWriter.h"
+#include "Volumes/VolumeFiles.h"
 
-#include "nexrad/Grid/GridText.h"
+#include "Volumes/UnfinishedRun.h"
 #include "nexrad/Merging/MergeSettings.h"
 #include "nexrad/System/Error.h"
-#include "vtkNexradNetCDFOutput.h"
 
 #include <optional>
-#include <system_error>
 
 namespace fs = std::filesystem;
 
@@ -15,18 +13,6 @@ namespace nexrad::application
 {
 namespace
 {
-
-void WriteVolume(const fs::path& path, const GriddedVolume& volume, const VolumeFiles& files)
-{
-  if (files.format == VolumeFormat::Nxv)
-  {
-    WriteNxv(path, volume, files.nxv);
-  }
-  else
-  {
-    vtkNexradWriteNetCDF(path, volume, files.history);
-  }
-}
 
 std::optional<GridSpecification> GridIn(const fs::path& file)
 {
@@ -38,25 +24,6 @@ std::optional<GridSpecification> GridIn(const fs::path& file)
   {
     return std::nullopt;
   }
-}
-
-// Names of the volume files in a folder.
-std::set<std::string> VolumesIn(const fs::path& folder)
-{
-  std::set<std::string> names;
-  std::error_code failure;
-  for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
-       entry.increment(failure))
-  {
-    const fs::path name = entry->path().filename();
-    std::error_code ignored;
-    if (name.extension() == ".nxv" && name.string().front() != '.' &&
-        entry->is_regular_file(ignored))
-    {
-      names.insert(name.string());
-    }
-  }
-  return names;
 }
 
 } // namespace
@@ -74,9 +41,10 @@ fs::path VolumeFileName(Time time, VolumeFormat format, const std::string& radar
 void RequireSameGrid(
   const fs::path& folder, const std::set<std::string>& own, const GridSpecification& grid)
 {
-  for (const std::string& name : VolumesIn(folder))
+  for (const std::string& name : FilesIn(folder))
   {
-    const auto other = own.count(name) == 0 ? GridIn(folder / name) : std::nullopt;
+    const bool isVolume = fs::path(name).extension() == ".nxv" && name.front() != '.';
+    const auto other = isVolume && own.count(name) == 0 ? GridIn(folder / name) : std::nullopt;
     if (other && *other != grid)
     {
       throw Error(folder.string() + ": holds " + name + " with " + GridText(*other) +
@@ -124,52 +92,15 @@ VolumeUse UseOfWriting(const VolumeFiles& files, const MergeOptions& options)
   {
     return {0, 0, NxvBandWriter::Rows};
   }
-  const std::size_t moments = 1 + options.furtherMoments.size();
   if (files.format == VolumeFormat::Nxv)
   {
     // All is deflated piece by piece; what comes of exact values waits for the end of the file.
-    const bool exact = files.nxv.encoding == NxvEncoding::Float;
+    const bool exact = files.encoding == NxvEncoding::Float;
     return {1, exact ? 2 * sizeof(float) : 0};
   }
   constexpr std::size_t ghostType = 1;
   constexpr std::size_t libraries = std::size_t(24) << 20; // of NetCDF and HDF5, with their buffers
-  return {1, moments * BytesOfAVoxel(options) + ghostType, 0, libraries};
-}
-
-StepWriter::StepWriter(UnfinishedRun& theRun, const VolumeFiles& theFiles)
-  : run(theRun)
-  , files(theFiles)
-{
-}
-
-GriddedVolume StepWriter::TakeLast()
-{
-  if (!writing.valid())
-  {
-    return {};
-  }
-  GriddedVolume last = writing.get();
-  run.Add(name);
-  return last;
-}
-
-GriddedVolume StepWriter::Write(GriddedVolume volume)
-{
-  GriddedVolume last = this->TakeLast();
-  const std::string radar = volume.ofOneRadar ? volume.sites.front() : "";
-  name = VolumeFileName(volume.time, files.format, radar).string();
-  const auto write = [place = run.PlaceFor(name), as = files](GriddedVolume&& one)
-  {
-    WriteVolume(place, one, as);
-    return std::move(one);
-  };
-  writing = std::async(std::launch::async | std::launch::deferred, write, std::move(volume));
-  return last;
-}
-
-void StepWriter::Finish()
-{
-  this->TakeLast();
+  return {1, options.moments.size() * BytesOfAVoxel(options) + ghostType, 0, libraries};
 }
 
 } // namespace nexrad::application
