@@ -4,13 +4,12 @@
 #include "nexrad/Grid/GridSpecification.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"
-#include "vtkNexradThreads.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
+#include "vtkSMPTools.h"
 
-#include <algorithm>
 #include <array>
 
 namespace
@@ -35,12 +34,11 @@ bool ConvertPairs(Convert convert, vtkImageData* volume, vtkDoubleArray* from, v
     const vtkIdType count = from->GetNumberOfTuples();
     to->SetNumberOfComponents(2);
     to->SetNumberOfTuples(count);
-    constexpr vtkIdType stretch = 4096;
-    vtkNexradRangeLoop()(static_cast<int>((count + stretch - 1) / stretch),
-      [&](int first, int last)
+    constexpr vtkIdType pairsAtOnce = 4096;
+    vtkSMPTools::For(0, count, pairsAtOnce,
+      [&](vtkIdType begin, vtkIdType end)
       {
-        const vtkIdType end = std::min(count, last * stretch);
-        for (vtkIdType i = first * stretch; i < end; ++i)
+        for (vtkIdType i = begin; i < end; ++i)
         {
           const std::array<double, 2> pair =
             (grid.*convert)(from->GetTypedComponent(i, 0), from->GetTypedComponent(i, 1));
@@ -59,10 +57,6 @@ bool ConvertPairs(Convert convert, vtkImageData* volume, vtkDoubleArray* from, v
 } // namespace
 
 vtkStandardNewMacro(vtkNexradGeographicCoordinates);
-
-vtkNexradGeographicCoordinates::vtkNexradGeographicCoordinates() = default;
-
-vtkNexradGeographicCoordinates::~vtkNexradGeographicCoordinates() = default;
 
 bool vtkNexradGeographicCoordinates::ToGeographic(
   vtkImageData* volume, vtkDoubleArray* from, vtkDoubleArray* to)

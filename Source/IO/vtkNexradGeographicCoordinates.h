@@ -36,8 +36,8 @@ public:
   ///@}
 
 protected:
-  vtkNexradGeographicCoordinates();
-  ~vtkNexradGeographicCoordinates() override;
+  vtkNexradGeographicCoordinates() = default;
+  ~vtkNexradGeographicCoordinates() override = default;
 
 private:
   vtkNexradGeographicCoordinates(const vtkNexradGeographicCoordinates&) = delete;

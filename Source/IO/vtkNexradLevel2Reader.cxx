@@ -14,7 +14,6 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPartitionedDataSetCollection.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 
 #include <array>
@@ -100,10 +99,8 @@ int vtkNexradLevel2Reader::RequestInformation(
     return 0;
   }
   const double time = nexrad::ToSeconds(*this->File->Volume.Start());
-  const double range[2] = {time, time};
   vtkInformation* info = output->GetInformationObject(0);
-  info->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), &time, 1);
-  info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+  vtkNexradOfferTimes(info, &time, 1);
   info->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
   return 1;
 }

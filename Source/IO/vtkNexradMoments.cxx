@@ -19,10 +19,6 @@ std::optional<nexrad::MomentName> Parse(const char* moment)
 
 vtkStandardNewMacro(vtkNexradMoments);
 
-vtkNexradMoments::vtkNexradMoments() = default;
-
-vtkNexradMoments::~vtkNexradMoments() = default;
-
 int vtkNexradMoments::GetNumberOfMoments()
 {
   return static_cast<int>(nexrad::KnownMomentCount);

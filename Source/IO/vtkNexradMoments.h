@@ -45,8 +45,8 @@ public:
   static bool HasTwoSigns(const char* moment);
 
 protected:
-  vtkNexradMoments();
-  ~vtkNexradMoments() override;
+  vtkNexradMoments() = default;
+  ~vtkNexradMoments() override = default;
 
 private:
   vtkNexradMoments(const vtkNexradMoments&) = delete;

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradNetCDFWriter.h"
 
-#include "nexrad/Codec/NxvSeries.h"
 #include "nexrad/Grid/GriddedVolume.h"
 #include "vtkNexradNetCDFOutput.h"
 
 #include "vtkObjectFactory.h"
-
-#include <filesystem>
 
 vtkStandardNewMacro(vtkNexradNetCDFWriter);
 
@@ -15,21 +12,13 @@ vtkNexradNetCDFWriter::vtkNexradNetCDFWriter() = default;
 
 vtkNexradNetCDFWriter::~vtkNexradNetCDFWriter() = default;
 
-void vtkNexradNetCDFWriter::BeginSteps()
-{
-  this->Output.reset();
-  this->Index.clear();
-}
-
 void vtkNexradNetCDFWriter::WriteVolume(const nexrad::GriddedVolume& volume)
 {
   if (this->IsSeries())
   {
-    const std::string name = nexrad::FormatForFileName(volume.time) + ".nc";
-    const auto path = std::filesystem::path(this->FileName).parent_path() / name;
+    const std::string path = this->FileOf(volume, ".nc");
     Attempt([&]() { vtkNexradWriteNetCDF(path, volume, this->History); });
-    this->Index.emplace_back(name, nexrad::ToSeconds(volume.time));
-    this->Written.push_back(path.string());
+    this->Written.push_back(path);
     return;
   }
   const auto add = [&]()
@@ -43,17 +32,10 @@ void vtkNexradNetCDFWriter::WriteVolume(const nexrad::GriddedVolume& volume)
   Attempt(add);
 }
 
-void vtkNexradNetCDFWriter::EndSteps()
+void vtkNexradNetCDFWriter::CompleteFile()
 {
-  if (this->IsSeries())
-  {
-    Attempt([this]() { nexrad::WriteNxvSeries(this->FileName, this->Index); });
-  }
-  else
-  {
-    Attempt([this]() { this->Output->Commit(); });
-    this->Output.reset();
-  }
+  Attempt([this]() { this->Output->Commit(); });
+  this->Output.reset();
   this->Written.emplace_back(this->FileName);
 }
 

@@ -25,10 +25,8 @@
 #include "vtkNexradIOModule.h" // For export macro
 #include "vtkNexradStepWriter.h"
 
-#include <memory>  // For members
-#include <string>  // For members
-#include <utility> // For members
-#include <vector>  // For members
+#include <memory> // For members
+#include <string> // For members
 
 class vtkNexradNetCDFOutput;
 
@@ -62,9 +60,8 @@ protected:
   ~vtkNexradNetCDFWriter() override;
 
   bool WritesAllSteps() const override { return this->AllTimeSteps || this->IsSeries(); }
-  void BeginSteps() override;
   void WriteVolume(const nexrad::GriddedVolume& volume) override;
-  void EndSteps() override;
+  void CompleteFile() override;
   void GiveUp() override;
 
   bool AllTimeSteps = true;
@@ -74,8 +71,7 @@ private:
   vtkNexradNetCDFWriter(const vtkNexradNetCDFWriter&) = delete;
   void operator=(const vtkNexradNetCDFWriter&) = delete;
 
-  std::unique_ptr<vtkNexradNetCDFOutput> Output;     ///< one file of several times
-  std::vector<std::pair<std::string, double>> Index; ///< files written so far
+  std::unique_ptr<vtkNexradNetCDFOutput> Output; ///< one file of several times
 };
 
 #endif

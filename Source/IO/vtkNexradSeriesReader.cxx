@@ -17,7 +17,6 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPartitionedDataSetCollection.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 
 #include <algorithm>
@@ -161,11 +160,8 @@ int vtkNexradSeriesReader::RequestInformation(
     return 1; // the scan was aborted
   }
   const std::vector<double>& times = this->Scanned->Times;
-  const double range[2] = {times.front(), times.back()};
   vtkInformation* info = output->GetInformationObject(0);
-  info->Set(
-    vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
-  info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+  vtkNexradOfferTimes(info, times.data(), static_cast<int>(times.size()));
   info->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
   return 1;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradStepWriter.h"
 
+#include "nexrad/Codec/NxvSeries.h"
 #include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"
@@ -19,7 +20,6 @@
 namespace
 {
 
-/// A write that failed, with its error code.
 struct WriteFailure
 {
   unsigned long Code;
@@ -74,6 +74,17 @@ bool vtkNexradStepWriter::IsSeries() const
   return this->FileName && std::filesystem::path(this->FileName).extension() == ".series";
 }
 
+std::string vtkNexradStepWriter::FileOf(const nexrad::GriddedVolume& volume, const char* extension)
+{
+  if (!this->IsSeries())
+  {
+    return this->FileName;
+  }
+  const std::string name = nexrad::FormatForFileName(volume.time) + extension;
+  this->Index.emplace_back(name, nexrad::ToSeconds(volume.time));
+  return std::filesystem::path(this->FileName).parent_path() / name;
+}
+
 void vtkNexradStepWriter::Fail(unsigned long code, const std::string& line)
 {
   this->SetErrorCode(code);
@@ -85,8 +96,20 @@ void vtkNexradStepWriter::Begin()
   this->SetErrorCode(vtkErrorCode::NoError);
   vtkNexradForgetAbort(this);
   this->Written.clear();
+  this->Index.clear();
   this->Complete = false;
-  this->BeginSteps();
+  this->GiveUp();
+}
+
+void vtkNexradStepWriter::End()
+{
+  if (!this->IsSeries())
+  {
+    this->CompleteFile();
+    return;
+  }
+  Attempt([this] { nexrad::WriteNxvSeries(this->FileName, this->Index); });
+  this->Written.emplace_back(this->FileName);
 }
 
 int vtkNexradStepWriter::Write()
@@ -167,7 +190,7 @@ int vtkNexradStepWriter::WriteStep(vtkInformation* request)
   this->CurrentStep = 0;
   if (goOn && !failed)
   {
-    this->Guarded([this] { this->EndSteps(); });
+    this->Guarded([this] { this->End(); });
   }
   this->Complete = goOn && this->GetErrorCode() == vtkErrorCode::NoError;
   return 1; // Write tells the outcome; a failed request would print the executive's state as well

@@ -26,6 +26,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <functional>
 #include <limits>
 
 namespace
@@ -41,7 +42,6 @@ struct GateGrid
   std::vector<nexrad::MomentName> Moments;
 };
 
-// The number of gates of a row at negative range.
 std::size_t NegativeGates(const nexrad::MomentRow& row)
 {
   if (row.firstGate >= 0 || row.gateSpacing <= 0)
@@ -118,37 +118,12 @@ bool IsFullCircle(const nexrad::Sweep& sweep)
   return 360.0 - std::abs(turned) <= 1.5 * steps[steps.size() / 2];
 }
 
-// Turns slant ranges into points: the beam by Formulas B1, the ground by B3. Local coordinates are
-// those of the azimuthal equidistant projection about the site: at the azimuth and the distance
-// along the ground. A ray's line on the ground is smooth, so that geodesics are solved at nodes 20
-// km apart only, with cubics between them (to better than a millimetre up to 460 km).
-class GatePlacement
-{
-public:
-  // `center` is the latitude and longitude in degrees about which Projected coordinates count.
-  // Throws nexrad::Error when the coordinates need a position and the site has none.
-  GatePlacement(const nexrad::Site& site, vtkNexradCoordinates coordinates,
-    const std::optional<std::array<double, 2>>& center, double effectiveRadiusFactor);
-
-  // Writes x, y, z of `gates` gates, the first at `firstGate` m of slant range, `spacing` m apart.
-  void PlaceRay(const nexrad::Ray& ray, double firstGate, double spacing, std::size_t gates,
-    double* points) const;
-
-private:
-  using Nodes = std::vector<std::array<double, 2>>;
-  Nodes MakeNodes(double azimuth, double farthest) const;
-
-  nexrad::BeamModel beam;
-  vtkNexradCoordinates coordinates;
-  nexrad::Position site;
-  nexrad::GridSpecification projection;
-};
-
+// Places on the ground below a ray, at equal distances.
+using Nodes = std::vector<std::array<double, 2>>;
 constexpr double NodeSpacing = 20'000.0; // m
 
 // Node k stands at (k - 1) * NodeSpacing, so that a cubic has a node on either side of its piece.
-std::array<double, 2> Interpolate(
-  const std::vector<std::array<double, 2>>& nodes, double groundDistance)
+std::array<double, 2> Interpolate(const Nodes& nodes, double groundDistance)
 {
   const double position = groundDistance / NodeSpacing;
   const auto piece = static_cast<std::size_t>(
@@ -167,67 +142,83 @@ std::array<double, 2> Interpolate(
   return result;
 }
 
-GatePlacement::GatePlacement(const nexrad::Site& theSite, vtkNexradCoordinates theCoordinates,
-  const std::optional<std::array<double, 2>>& center, double effectiveRadiusFactor)
-  : beam(effectiveRadiusFactor)
-  , coordinates(theCoordinates)
+// Turns slant ranges into points: the beam by Formulas B1, the ground by B3. Local coordinates are
+// those of the azimuthal equidistant projection about the site: at the azimuth and the distance
+// along the ground. A ray's line on the ground is smooth, so that geodesics are solved at nodes 20
+// km apart only, with cubics between them (to better than a millimetre up to 460 km).
+class GatePlacement
 {
-  if (coordinates != vtkNexradCoordinates::Local && !theSite.position)
+public:
+  // Throws nexrad::Error when the coordinates need a position and the site has none.
+  GatePlacement(const nexrad::Site& theSite, const vtkNexradSweepOptions& options)
+    : beam(options.EffectiveRadiusFactor)
+    , coordinates(options.Coordinates)
+    , site(theSite.position.value_or(nexrad::Position{}))
   {
-    throw nexrad::Error("the position of site \"" + theSite.name +
-                        "\" is unknown: set it, or ask for local coordinates");
-  }
-  site = theSite.position.value_or(nexrad::Position{});
-  projection.centreLatitude = center ? (*center)[0] : site.latitude;
-  projection.centreLongitude = center ? (*center)[1] : site.longitude;
-}
-
-GatePlacement::Nodes GatePlacement::MakeNodes(double azimuth, double farthest) const
-{
-  const nexrad::SiteGeoreference ground(site);
-  const auto count = static_cast<std::size_t>(std::max(0.0, farthest) / NodeSpacing) + 4;
-  Nodes nodes(count);
-  for (std::size_t k = 0; k < count; ++k)
-  {
-    // Behind the antenna the geodesic goes on at the opposite azimuth.
-    const double distance = (static_cast<double>(k) - 1.0) * NodeSpacing;
-    const std::array<double, 2> place =
-      distance < 0.0 ? ground.Locate({std::fmod(azimuth + 180.0, 360.0), -distance})
-                     : ground.Locate({azimuth, distance});
-    if (coordinates == vtkNexradCoordinates::Projected)
+    if (coordinates != vtkNexradCoordinates::Local && !theSite.position)
     {
-      nodes[k] = projection.FromGeographic(place[0], place[1]);
+      throw nexrad::Error("the position of site \"" + theSite.name +
+                          "\" is unknown: set it, or ask for local coordinates");
     }
-    else
-    {
-      // Longitudes count on across the antimeridian.
-      nodes[k] = {site.longitude + std::remainder(place[0] - site.longitude, 360.0), place[1]};
-    }
+    projection.centreLatitude = options.Center ? (*options.Center)[0] : site.latitude;
+    projection.centreLongitude = options.Center ? (*options.Center)[1] : site.longitude;
   }
-  return nodes;
-}
 
-void GatePlacement::PlaceRay(
-  const nexrad::Ray& ray, double firstGate, double spacing, std::size_t gates, double* points) const
-{
-  const bool local = coordinates == vtkNexradCoordinates::Local;
-  const double lastGate = firstGate + spacing * static_cast<double>(gates);
-  const Nodes nodes = local ? Nodes() : this->MakeNodes(ray.azimuth, lastGate);
-  const double azimuth = vtkMath::RadiansFromDegrees(static_cast<double>(ray.azimuth));
-  const double east = std::sin(azimuth);
-  const double north = std::cos(azimuth);
-  for (std::size_t gate = 0; gate < gates; ++gate, points += 3)
+  // Writes x, y, z of the gates of a row of the grid.
+  void PlaceRay(const nexrad::Ray& ray, const GateGrid& gates, double* points) const
   {
-    const nexrad::BeamPoint point =
-      beam.Locate(firstGate + spacing * static_cast<double>(gate), ray.elevation);
-    const std::array<double, 2> place =
-      local ? std::array<double, 2>{point.groundDistance * east, point.groundDistance * north}
-            : Interpolate(nodes, point.groundDistance);
-    points[0] = place[0];
-    points[1] = place[1];
-    points[2] = local ? point.height : site.altitude + point.height;
+    const double firstGate = gates.FirstGate;
+    const double spacing = gates.GateSpacing;
+    const bool local = coordinates == vtkNexradCoordinates::Local;
+    const double lastGate = firstGate + spacing * static_cast<double>(gates.Gates);
+    const Nodes nodes = local ? Nodes() : this->MakeNodes(ray.azimuth, lastGate);
+    const double azimuth = vtkMath::RadiansFromDegrees(static_cast<double>(ray.azimuth));
+    const double east = std::sin(azimuth);
+    const double north = std::cos(azimuth);
+    for (std::size_t gate = 0; gate < gates.Gates; ++gate, points += 3)
+    {
+      const nexrad::BeamPoint point =
+        beam.Locate(firstGate + spacing * static_cast<double>(gate), ray.elevation);
+      const std::array<double, 2> place =
+        local ? std::array<double, 2>{point.groundDistance * east, point.groundDistance * north}
+              : Interpolate(nodes, point.groundDistance);
+      points[0] = place[0];
+      points[1] = place[1];
+      points[2] = local ? point.height : site.altitude + point.height;
+    }
   }
-}
+
+private:
+  Nodes MakeNodes(double azimuth, double farthest) const
+  {
+    const nexrad::SiteGeoreference ground(site);
+    const auto count = static_cast<std::size_t>(std::max(0.0, farthest) / NodeSpacing) + 4;
+    Nodes nodes(count);
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      // Behind the antenna the geodesic goes on at the opposite azimuth.
+      const double distance = (static_cast<double>(k) - 1.0) * NodeSpacing;
+      const std::array<double, 2> place =
+        distance < 0.0 ? ground.Locate({std::fmod(azimuth + 180.0, 360.0), -distance})
+                       : ground.Locate({azimuth, distance});
+      if (coordinates == vtkNexradCoordinates::Projected)
+      {
+        nodes[k] = projection.FromGeographic(place[0], place[1]);
+      }
+      else
+      {
+        // Longitudes count on across the antimeridian.
+        nodes[k] = {site.longitude + std::remainder(place[0] - site.longitude, 360.0), place[1]};
+      }
+    }
+    return nodes;
+  }
+
+  nexrad::BeamModel beam;
+  vtkNexradCoordinates coordinates;
+  nexrad::Position site;
+  nexrad::GridSpecification projection;
+};
 
 void AddVolumeFieldData(const nexrad::RadarVolume& volume, vtkFieldData* field)
 {
@@ -236,25 +227,21 @@ void AddVolumeFieldData(const nexrad::RadarVolume& volume, vtkFieldData* field)
   if (volume.site.position)
   {
     const nexrad::Position& position = *volume.site.position;
-    vtkNexradAddValues<vtkDoubleArray, double>(
+    vtkNexradAddValues<vtkDoubleArray>(
       field, "Position", {position.latitude, position.longitude, position.altitude});
   }
   if (volume.coveragePatternNumber)
   {
-    vtkNexradAddValues<vtkIntArray, int>(field, "VCP", {*volume.coveragePatternNumber});
+    vtkNexradAddValues<vtkIntArray>(field, "VCP", {*volume.coveragePatternNumber});
   }
   if (volume.Start())
   {
-    vtkNexradAddValues<vtkDoubleArray, double>(
-      field, "StartTime", {nexrad::ToSeconds(*volume.Start())});
-    vtkNexradAddValues<vtkDoubleArray, double>(
-      field, "EndTime", {nexrad::ToSeconds(*volume.End())});
+    vtkNexradAddValues<vtkDoubleArray>(field, "StartTime", {nexrad::ToSeconds(*volume.Start())});
+    vtkNexradAddValues<vtkDoubleArray>(field, "EndTime", {nexrad::ToSeconds(*volume.End())});
   }
-  vtkNexradAddValues<vtkUnsignedCharArray, unsigned char>(
-    field, "Synthetic", {static_cast<unsigned char>(volume.synthetic ? 1 : 0)});
+  vtkNexradAddValues<vtkUnsignedCharArray>(field, "Synthetic", {volume.synthetic});
 }
 
-/// An array of one value a ray.
 template <class Array, class Get>
 void AddRayArray(vtkFieldData* field, const char* name, const nexrad::Sweep& sweep, Get get)
 {
@@ -263,7 +250,7 @@ void AddRayArray(vtkFieldData* field, const char* name, const nexrad::Sweep& swe
   array->SetNumberOfTuples(static_cast<vtkIdType>(sweep.rays.size()));
   for (std::size_t i = 0; i < sweep.rays.size(); ++i)
   {
-    array->SetValue(static_cast<vtkIdType>(i), get(sweep.rays[i]));
+    array->SetValue(static_cast<vtkIdType>(i), std::invoke(get, sweep.rays[i]));
   }
   field->AddArray(array);
 }
@@ -271,21 +258,17 @@ void AddRayArray(vtkFieldData* field, const char* name, const nexrad::Sweep& swe
 void AddSweepFieldData(
   const nexrad::Sweep& sweep, std::size_t index, const GateGrid& gates, vtkFieldData* field)
 {
-  vtkNexradAddValues<vtkIntArray, int>(field, "SweepIndex", {static_cast<int>(index)});
-  vtkNexradAddValues<vtkIntArray, int>(field, "ElevationNumber", {sweep.elevationNumber});
-  vtkNexradAddValues<vtkDoubleArray, double>(field, "GateGeometry",
+  vtkNexradAddValues<vtkIntArray>(field, "SweepIndex", {static_cast<int>(index)});
+  vtkNexradAddValues<vtkIntArray>(field, "ElevationNumber", {sweep.elevationNumber});
+  vtkNexradAddValues<vtkDoubleArray>(field, "GateGeometry",
     {static_cast<double>(gates.FirstGate), static_cast<double>(gates.GateSpacing)});
   AddRayArray<vtkDoubleArray>(
     field, "RayTime", sweep, [](const nexrad::Ray& ray) { return nexrad::ToSeconds(ray.time); });
-  AddRayArray<vtkFloatArray>(
-    field, "RayAzimuth", sweep, [](const nexrad::Ray& ray) { return ray.azimuth; });
-  AddRayArray<vtkFloatArray>(
-    field, "RayElevation", sweep, [](const nexrad::Ray& ray) { return ray.elevation; });
-  AddRayArray<vtkFloatArray>(
-    field, "NyquistVelocity", sweep, [](const nexrad::Ray& ray) { return ray.nyquist; });
-  AddRayArray<vtkFloatArray>(
-    field, "UnambiguousRange", sweep, [](const nexrad::Ray& ray) { return ray.unambiguousRange; });
-  vtkNexradAddValues<vtkIntArray, int>(field, "Waveform", {static_cast<int>(sweep.waveform)});
+  AddRayArray<vtkFloatArray>(field, "RayAzimuth", sweep, &nexrad::Ray::azimuth);
+  AddRayArray<vtkFloatArray>(field, "RayElevation", sweep, &nexrad::Ray::elevation);
+  AddRayArray<vtkFloatArray>(field, "NyquistVelocity", sweep, &nexrad::Ray::nyquist);
+  AddRayArray<vtkFloatArray>(field, "UnambiguousRange", sweep, &nexrad::Ray::unambiguousRange);
+  vtkNexradAddValues<vtkIntArray>(field, "Waveform", {static_cast<int>(sweep.waveform)});
 }
 
 /// Row `row` of a grid shows this ray: the row after the last ray shows the first again.
@@ -350,8 +333,7 @@ vtkNew<vtkStructuredGrid> MakeGrid(
     {
       for (vtkIdType row = begin; row < end; ++row)
       {
-        placement.PlaceRay(RayOfRow(sweep, row), gates.FirstGate, gates.GateSpacing, gates.Gates,
-          first + 3 * row * columns);
+        placement.PlaceRay(RayOfRow(sweep, row), gates, first + 3 * row * columns);
       }
     });
   vtkNew<vtkPoints> points;
@@ -406,8 +388,7 @@ void AppendPartition(
 bool vtkNexradAppendSweeps(const nexrad::RadarVolume& volume, const vtkNexradSweepOptions& options,
   vtkPartitionedDataSetCollection* output, const nexrad::Progress& progress)
 {
-  const GatePlacement placement(
-    volume.site, options.Coordinates, options.Center, options.EffectiveRadiusFactor);
+  const GatePlacement placement(volume.site, options);
   if (!output->GetDataAssembly())
   {
     vtkNew<vtkDataAssembly> assembly;
@@ -416,8 +397,7 @@ bool vtkNexradAppendSweeps(const nexrad::RadarVolume& volume, const vtkNexradSwe
   }
   for (std::size_t index = 0; index < volume.sweeps.size(); ++index)
   {
-    if (progress &&
-        !progress(static_cast<double>(index) / static_cast<double>(volume.sweeps.size())))
+    if (!progress(static_cast<double>(index) / static_cast<double>(volume.sweeps.size())))
     {
       return false;
     }

@@ -48,6 +48,7 @@
 
 class vtkPartitionedDataSetCollection;
 
+/// With the numbers of vtkNexradSweepReader::CoordinateSystem.
 enum class vtkNexradCoordinates
 {
   Local,      ///< m east, north and up of the antenna
@@ -72,7 +73,7 @@ struct vtkNexradSweepOptions
  * to stop. Throws nexrad::Error when the site's position is needed and unknown.
  */
 bool vtkNexradAppendSweeps(const nexrad::RadarVolume& volume, const vtkNexradSweepOptions& options,
-  vtkPartitionedDataSetCollection* output, const nexrad::Progress& progress = {});
+  vtkPartitionedDataSetCollection* output, const nexrad::Progress& progress);
 
 #endif
 // VTK-HeaderTest-Exclude: vtkNexradSweepConversion.h

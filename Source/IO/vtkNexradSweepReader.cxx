@@ -54,9 +54,7 @@ nexrad::Level2Options vtkNexradSweepReader::MakeLevel2Options() const
 vtkNexradSweepOptions vtkNexradSweepReader::MakeSweepOptions(vtkInformation* outputInformation)
 {
   vtkNexradSweepOptions options;
-  options.Coordinates = this->Coordinates == GEOGRAPHIC  ? vtkNexradCoordinates::Geographic
-                        : this->Coordinates == PROJECTED ? vtkNexradCoordinates::Projected
-                                                         : vtkNexradCoordinates::Local;
+  options.Coordinates = static_cast<vtkNexradCoordinates>(this->Coordinates);
   if (this->UseProjectionCenter)
   {
     options.Center = {this->ProjectionCenter[0], this->ProjectionCenter[1]};

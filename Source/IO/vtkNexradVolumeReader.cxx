@@ -2,13 +2,12 @@
 #include "vtkNexradVolumeReader.h"
 
 #include "nexrad/Codec/NxvFile.h"
-#include "nexrad/Grid/VoxelBlock.h"
+#include "nexrad/Grid/GridSpecification.h"
 #include "nexrad/Model/Moment.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/Progress.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradPipeline.h"
-#include "vtkNexradVolumeFile.h"
 
 #include "vtkDataArraySelection.h"
 #include "vtkErrorCode.h"
@@ -28,7 +27,6 @@
 
 vtkStandardNewMacro(vtkNexradVolumeReader);
 
-/// One volume.
 struct vtkNexradVolumeReader::Step
 {
   double Time; ///< s since 1970-01-01T00:00:00Z
@@ -46,21 +44,18 @@ struct vtkNexradVolumeReader::Contents
 
   /// The latest at or before the time that is asked for; before the first, and without a time, the
   /// first.
-  const Step& RequestedStep(vtkInformation* info) const;
-};
-
-const vtkNexradVolumeReader::Step& vtkNexradVolumeReader::Contents::RequestedStep(
-  vtkInformation* info) const
-{
-  if (!info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))
+  const Step& RequestedStep(vtkInformation* info) const
   {
-    return this->Steps.front();
+    if (!info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))
+    {
+      return this->Steps.front();
+    }
+    const auto next = std::upper_bound(this->Steps.begin(), this->Steps.end(),
+      info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()),
+      [](double wanted, const Step& step) { return wanted < step.Time; });
+    return next == this->Steps.begin() ? this->Steps.front() : *(next - 1);
   }
-  const auto next = std::upper_bound(this->Steps.begin(), this->Steps.end(),
-    info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()),
-    [](double wanted, const Step& step) { return wanted < step.Time; });
-  return next == this->Steps.begin() ? this->Steps.front() : *(next - 1);
-}
+};
 
 namespace
 {
@@ -208,9 +203,12 @@ void vtkNexradVolumeReader::ReadStep(
     throw nexrad::Error(
       step.File.string() + ": its grid is not that of the first volume of the series");
   }
-  vtkNexradReadVolumeFile({step.File.string(), NamesToLeaveOut(this->GetAncillaryArraySelection()),
-                            MomentsToRead(this->Moments), this->ScalarsAsCodes, 0, block, level},
-    image);
+  nexrad::NxvReadOptions options;
+  options.leaveOut = NamesToLeaveOut(this->AncillaryArraySelection);
+  options.moments = MomentsToRead(this->Moments);
+  options.block = block;
+  options.level = level;
+  vtkNexradReadVolumeFile(step.File.string(), options, this->ScalarsAsCodes, image);
   vtkNexradPlaceBlock(this->Opened->Grid, block, image);
 }
 
@@ -255,13 +253,9 @@ int vtkNexradVolumeReader::RequestInformation(
   return 1;
 }
 
-// Says what the output will be.
 void vtkNexradVolumeReader::Describe(vtkInformation* info) const
 {
-  const nexrad::GridSpecification& grid = this->Opened->Grid;
-  vtkNexradOfferExtent(info, grid.dimensions.data());
-  info->Set(vtkDataObject::ORIGIN(), grid.origin.data(), 3);
-  info->Set(vtkDataObject::SPACING(), grid.spacing.data(), 3);
+  vtkNexradOfferGrid(info, this->Opened->Grid);
   vtkDataObject::SetPointDataActiveScalarInfo(
     info, this->Opened->AsCodes ? VTK_UNSIGNED_CHAR : VTK_FLOAT, 1);
   std::vector<double> times;
@@ -269,10 +263,7 @@ void vtkNexradVolumeReader::Describe(vtkInformation* info) const
   {
     times.push_back(step.Time);
   }
-  const double range[2] = {times.front(), times.back()};
-  info->Set(
-    vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
-  info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+  vtkNexradOfferTimes(info, times.data(), static_cast<int>(times.size()));
 }
 
 int vtkNexradVolumeReader::RequestData(

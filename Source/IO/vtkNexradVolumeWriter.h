@@ -21,10 +21,6 @@
 #include "vtkNexradIOModule.h" // For export macro
 #include "vtkNexradStepWriter.h"
 
-#include <string>  // For members
-#include <utility> // For members
-#include <vector>  // For members
-
 class VTKNEXRADIO_EXPORT vtkNexradVolumeWriter : public vtkNexradStepWriter
 {
 public:
@@ -54,21 +50,17 @@ public:
   ///@}
 
 protected:
-  vtkNexradVolumeWriter();
-  ~vtkNexradVolumeWriter() override;
+  vtkNexradVolumeWriter() = default;
+  ~vtkNexradVolumeWriter() override = default;
 
   bool WritesAllSteps() const override { return this->IsSeries(); }
-  void BeginSteps() override;
   void WriteVolume(const nexrad::GriddedVolume& volume) override;
-  void EndSteps() override;
 
   int Encoding = AUTOMATIC;
 
 private:
   vtkNexradVolumeWriter(const vtkNexradVolumeWriter&) = delete;
   void operator=(const vtkNexradVolumeWriter&) = delete;
-
-  std::vector<std::pair<std::string, double>> Index; ///< volumes written so far
 };
 
 #endif

@@ -7,7 +7,7 @@
 
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Geometry/Angles.h"
-#include "nexrad/Grid/VolumeMoments.h"
+#include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradNetCDFOutput.h"
@@ -157,13 +157,11 @@ TEST(NetCDFFiles, TheWriterWritesAllTimesOrOne)
 {
   const TemporaryFolder folder;
   const GriddedVolume volumes[2] = {MakeVolume(), MakeVolume(std::chrono::minutes(5))};
-  nexrad::NxvWriteOptions exact;
-  exact.encoding = nexrad::NxvEncoding::Float;
   nexrad::NxvSeries index;
   for (const GriddedVolume& volume : volumes)
   {
     index.emplace_back(nexrad::FormatForFileName(volume.time), nexrad::ToSeconds(volume.time));
-    nexrad::WriteNxv(folder.Path() / index.back().first, volume, exact);
+    nexrad::WriteNxv(folder.Path() / index.back().first, volume, nexrad::NxvEncoding::Float);
   }
   nexrad::WriteNxvSeries(folder.Path() / "volumes.nxv.series", index);
   vtkNew<vtkNexradVolumeReader> reader;

@@ -6,7 +6,7 @@
 #include "VolumeMaker.h"
 
 #include "nexrad/Codec/NxvFile.h"
-#include "nexrad/Grid/VolumeMoments.h"
+#include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradVolumeReader.h"

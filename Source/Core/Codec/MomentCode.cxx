@@ -61,7 +61,6 @@ bool HoldsAll(const MomentCode& code, const GriddedVolume& volume)
 
 MomentCode MomentCode::Of(const GriddedVolume& volume)
 {
-  CheckVoxelCount(volume);
   const MomentCode code = CodeOf(radarWords[static_cast<std::size_t>(volume.moment)]);
   const bool tooFast = IsRadialVelocity(volume.moment) && !HoldsAll(code, volume);
   return tooFast ? CodeOf(wideVelocity) : code;
@@ -95,12 +94,6 @@ VoxelState MomentCode::StateOf(unsigned code)
   default:
     return VoxelState::Echo;
   }
-}
-
-std::size_t MomentCode::ByteCount(const GriddedVolume& volume) const
-{
-  CheckVoxelCount(volume);
-  return bytes * volume.states.size();
 }
 
 void MomentCode::WriteBytes(
@@ -144,6 +137,22 @@ void MomentCode::DecodeAll(const std::vector<std::uint8_t>& codes, GriddedVolume
     volume.values[i] = values[code];
     volume.states[i] = StateOf(code);
   }
+}
+
+void ExpandCodes(const VoxelCodes& meaning, const std::uint8_t* codes, std::size_t count,
+  float* values, VoxelState* states, const RangeLoop& loop)
+{
+  constexpr std::size_t stretch = std::size_t(1) << 18;
+  RunLoop(loop, static_cast<int>((count + stretch - 1) / stretch),
+    [&](int first, int last)
+    {
+      const std::size_t end = std::min(count, static_cast<std::size_t>(last) * stretch);
+      for (std::size_t i = static_cast<std::size_t>(first) * stretch; i < end; ++i)
+      {
+        values[i] = meaning.values[codes[i]];
+        states[i] = meaning.states[codes[i]];
+      }
+    });
 }
 
 void CheckVoxelCount(const GriddedVolume& volume)

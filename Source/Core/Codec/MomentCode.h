@@ -2,7 +2,9 @@
 #pragma once
 
 #include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/System/RangeLoop.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -10,6 +12,22 @@
 
 namespace nexrad
 {
+
+/// The number that four bytes of an .nxv file stand for.
+inline std::uint32_t LittleEndian(const std::uint8_t* bytes)
+{
+  return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8 |
+         static_cast<std::uint32_t>(bytes[2]) << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
+}
+
+/// Adds the four bytes of a number.
+inline void AppendLittleEndian(std::uint32_t word, std::vector<std::uint8_t>& to)
+{
+  for (unsigned shift = 0; shift < 32; shift += 8)
+  {
+    to.push_back(static_cast<std::uint8_t>(word >> shift));
+  }
+}
 
 /// Calls `visit(i)` for each of the `count` voxels that is an echo, in ascending order. Few voxels
 /// hold an echo; the library looks for the next one many at a time.
@@ -62,9 +80,6 @@ struct MomentCode
   /// The value of an echo's code.
   float ValueOf(unsigned code) const { return static_cast<float>(offset + scale * code); }
 
-  /// Bytes that the codes of all voxels take. Throws Error when the volume has not as many values
-  /// and states as voxels.
-  std::size_t ByteCount(const GriddedVolume& volume) const;
   /// Writes the bytes [first, first + count) of the codes of all voxels to `to`: these are a byte
   /// each, or the lower bytes of all and then the higher bytes of all.
   void WriteBytes(
@@ -73,6 +88,19 @@ struct MomentCode
   /// volume's fill.
   void DecodeAll(const std::vector<std::uint8_t>& codes, GriddedVolume& volume) const;
 };
+
+/// What codes of one byte stand for.
+struct VoxelCodes
+{
+  static constexpr std::size_t Count = 256;
+
+  std::array<float, Count> values{}; ///< moment's unit; the volume's fill where it is no echo
+  std::array<VoxelState, Count> states{};
+};
+
+/// Sets the values and states of `count` voxels from their codes.
+void ExpandCodes(const VoxelCodes& meaning, const std::uint8_t* codes, std::size_t count,
+  float* values, VoxelState* states, const RangeLoop& loop = {});
 
 /// Throws Error unless the volume has one value and one state for each voxel of its grid.
 void CheckVoxelCount(const GriddedVolume& volume);

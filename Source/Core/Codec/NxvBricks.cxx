@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Codec/NxvBricks.h"
 
-#include "nexrad/Codec/NxvInput.h"
+#include "nexrad/Codec/MomentCode.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
@@ -18,15 +18,6 @@ using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::size_t entrySize = 8; // of the index: length and value of a brick
 
-void AppendWord(std::uint32_t word, Bytes& to)
-{
-  for (unsigned shift = 0; shift < 32; shift += 8)
-  {
-    to.push_back(static_cast<std::uint8_t>(word >> shift));
-  }
-}
-
-// Bricks along each axis.
 std::array<int, 3> BricksAlong(const std::array<int, 3>& dimensions, const std::array<int, 3>& size)
 {
   std::array<int, 3> along{};
@@ -102,27 +93,6 @@ VoxelBlock Common(const VoxelBlock& a, const VoxelBlock& b)
   return common;
 }
 
-// The part of a brick that lies in a block, from the brick to the block's array.
-void CopyCommon(const NxvVoxelBytes& each, const VoxelBlock& brick, const Bytes& bytes,
-  const VoxelBlock& block, std::uint8_t* target)
-{
-  const VoxelBlock common = Common(brick, block);
-  std::vector<std::size_t> from;
-  ForEachRow(SizeOf(brick), Within(common, brick),
-    [&from](std::size_t, std::size_t first, std::size_t) { from.push_back(first); });
-  const std::size_t voxels = brick.VoxelCount();
-  for (std::size_t plane = 0; plane < each.planes; ++plane)
-  {
-    ForEachRow(SizeOf(block), Within(common, block),
-      [&](std::size_t row, std::size_t first, std::size_t count)
-      {
-        std::memcpy(target + (plane * block.VoxelCount() + first) * each.bytes,
-          bytes.data() + (plane * voxels + from[row]) * each.bytes, count * each.bytes);
-      });
-  }
-}
-
-// Whether all voxels of a brick are alike.
 bool IsUniform(const NxvVoxelBytes& each, const Bytes& bytes)
 {
   const std::size_t size = bytes.size() / each.planes;
@@ -182,17 +152,21 @@ NxvVoxelBytes NxvVoxelBytes::Of(NxvType type)
   }
 }
 
-void CopyBlock(const NxvVoxelBytes& each, const std::array<int, 3>& dimensions,
-  const VoxelBlock& block, const std::uint8_t* whole, std::uint8_t* target)
+void CopyCommon(const NxvVoxelBytes& each, const VoxelBlock& from, const std::uint8_t* bytes,
+  const VoxelBlock& block, std::uint8_t* target)
 {
-  const std::size_t voxels = VoxelsOf(dimensions);
+  const VoxelBlock common = Common(from, block);
+  const std::size_t voxels = from.VoxelCount();
+  std::vector<std::size_t> rows;
+  ForEachRow(SizeOf(from), Within(common, from),
+    [&rows](std::size_t, std::size_t first, std::size_t) { rows.push_back(first); });
   for (std::size_t plane = 0; plane < each.planes; ++plane)
   {
-    ForEachRow(dimensions, block,
-      [&](std::size_t, std::size_t first, std::size_t count)
+    ForEachRow(SizeOf(block), Within(common, block),
+      [&](std::size_t row, std::size_t first, std::size_t count)
       {
-        std::memcpy(target, whole + (plane * voxels + first) * each.bytes, count * each.bytes);
-        target += count * each.bytes;
+        std::memcpy(target + (plane * block.VoxelCount() + first) * each.bytes,
+          bytes + (plane * voxels + rows[row]) * each.bytes, count * each.bytes);
       });
   }
 }
@@ -223,11 +197,6 @@ NxvBrickArrays::NxvBrickArrays(const GridSpecification& grid)
   band.end[1] = 0;
 }
 
-VoxelBlock NxvBrickArrays::NextBand() const
-{
-  return this->NextRows(NxvBrickSize[1]);
-}
-
 VoxelBlock NxvBrickArrays::NextRows(int rows) const
 {
   VoxelBlock next = band;
@@ -236,7 +205,7 @@ VoxelBlock NxvBrickArrays::NextRows(int rows) const
   return next;
 }
 
-void NxvBrickArrays::BeginRows(int rows)
+const VoxelBlock& NxvBrickArrays::BeginBand(int rows)
 {
   if (band.end[1] == dimensions[1])
   {
@@ -244,12 +213,6 @@ void NxvBrickArrays::BeginRows(int rows)
   }
   bricksBefore += band.end[1] > 0 ? this->BricksInBand() : 0;
   band = this->NextRows(rows);
-}
-
-const VoxelBlock& NxvBrickArrays::BeginBand(const RangeLoop& theLoop)
-{
-  this->BeginRows(NxvBrickSize[1]);
-  loop = theLoop;
   return band;
 }
 
@@ -295,12 +258,13 @@ void NxvBrickArrays::FillUp(std::size_t count, Growing& to)
 
 void NxvBrickArrays::Append(const Brick& brick, Growing& to)
 {
-  AppendWord(static_cast<std::uint32_t>(brick.stream.size()), to.index);
-  AppendWord(brick.value, to.index);
+  AppendLittleEndian(static_cast<std::uint32_t>(brick.stream.size()), to.index);
+  AppendLittleEndian(brick.value, to.index);
   to.bricks.insert(to.bricks.end(), brick.stream.begin(), brick.stream.end());
 }
 
-void NxvBrickArrays::Add(const NxvArray& array, DeflateSearch search, const ByteSource& source)
+void NxvBrickArrays::Add(
+  const NxvArray& array, DeflateSearch search, const ByteSource& source, const RangeLoop& loop)
 {
   const NxvVoxelBytes each = NxvVoxelBytes::Of(array.type);
   const std::array<int, 3> size = SizeOf(band);
@@ -346,7 +310,7 @@ void NxvBrickArrays::EndBand()
 void NxvBrickArrays::AddRows(
   int rows, const std::vector<NxvArray>& finished, const PayloadReader& read)
 {
-  this->BeginRows(rows);
+  this->BeginBand(rows);
   std::uint64_t offset = 0;
   for (const NxvArray& array : finished)
   {
@@ -361,7 +325,7 @@ void NxvBrickArrays::AddRows(
   this->EndBand();
 }
 
-std::vector<NxvArray> NxvBrickArrays::Finish()
+std::vector<NxvArray> NxvBrickArrays::Finish(NxvPayload& payload)
 {
   std::vector<NxvArray> finished;
   for (Growing& each : arrays)
@@ -372,18 +336,10 @@ std::vector<NxvArray> NxvBrickArrays::Finish()
     each.array.crc32 =
       Crc32(each.bricks.data(), each.bricks.size(), Crc32(each.index.data(), each.index.size()));
     finished.push_back(each.array);
+    payload.push_back(&each.index);
+    payload.push_back(&each.bricks);
   }
   return finished;
-}
-
-const Bytes& NxvBrickArrays::IndexOf(std::size_t number) const
-{
-  return arrays[number].index;
-}
-
-const Bytes& NxvBrickArrays::BricksOf(std::size_t number) const
-{
-  return arrays[number].bricks;
 }
 
 namespace
@@ -468,7 +424,7 @@ void ReadBricks(const NxvArray& array, const std::array<int, 3>& dimensions,
       {
         InflateBytes(streams[number].data(), streams[number].size(), bytes.data(), bytes.size());
       }
-      CopyCommon(each, brick.voxels, bytes, block, target);
+      CopyCommon(each, brick.voxels, bytes.data(), block, target);
     });
 }
 

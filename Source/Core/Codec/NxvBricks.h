@@ -3,7 +3,7 @@
 
 #include "nexrad/Codec/NxvHeader.h"
 #include "nexrad/Compression/Deflate.h"
-#include "nexrad/Grid/VoxelBlock.h"
+#include "nexrad/Grid/GridSpecification.h"
 #include "nexrad/System/RangeLoop.h"
 
 #include <array>
@@ -33,9 +33,13 @@ struct NxvVoxelBytes
   static NxvVoxelBytes Of(NxvType type);
 };
 
-/// Copies the voxels of a block out of an array of a whole grid of these dimensions.
-void CopyBlock(const NxvVoxelBytes& each, const std::array<int, 3>& dimensions,
-  const VoxelBlock& block, const std::uint8_t* whole, std::uint8_t* target);
+/// Copies the voxels that two blocks of a grid have in common, from the array of the first to that
+/// of the second.
+void CopyCommon(const NxvVoxelBytes& each, const VoxelBlock& from, const std::uint8_t* bytes,
+  const VoxelBlock& block, std::uint8_t* target);
+
+/// What follows the header of a file: one part after the other.
+using NxvPayload = std::vector<const std::vector<std::uint8_t>*>;
 
 /// Reads `size` bytes of an array's payload from `offset`.
 using PayloadReader =
@@ -48,16 +52,15 @@ class NxvBrickArrays
 public:
   explicit NxvBrickArrays(const GridSpecification& grid);
 
-  /// Rows of the next band; none after the last one.
-  VoxelBlock NextBand() const;
-  /// So many rows that follow the last ones made, as far as the grid has them.
-  VoxelBlock NextRows(int rows) const;
-  /// Begins the next band, and returns it; `loop` makes its bricks. Throws Error after the last
-  /// one.
-  const VoxelBlock& BeginBand(const RangeLoop& loop);
-  /// Adds an array of the band, of which `source` gives the bytes as NxvVoxelBytes has them. What
-  /// is said of the array must be the same in all bands.
-  void Add(const NxvArray& array, DeflateSearch search, const ByteSource& source);
+  /// So many rows that follow the last ones made, as far as the grid has them; by default those of
+  /// the next band.
+  VoxelBlock NextRows(int rows = NxvBrickSize[1]) const;
+  /// Begins those rows, and returns them. Throws Error after the last ones.
+  const VoxelBlock& BeginBand(int rows = NxvBrickSize[1]);
+  /// Adds an array of the band, of which `source` gives the bytes as NxvVoxelBytes has them; `loop`
+  /// makes its bricks. What is said of the array must be the same in all bands.
+  void Add(
+    const NxvArray& array, DeflateSearch search, const ByteSource& source, const RangeLoop& loop);
   /// Ends the band. In arrays that it did not have, but another band has, all its voxels are
   /// NxvStateAsCode in an array of states, and else 0.
   void EndBand();
@@ -67,11 +70,9 @@ public:
   /// does not fit.
   void AddRows(int rows, const std::vector<NxvArray>& finished, const PayloadReader& read);
 
-  /// The arrays, with lengths and check sums; after the last band.
-  std::vector<NxvArray> Finish();
-  /// The payload of each of them is its index and its bricks.
-  const std::vector<std::uint8_t>& IndexOf(std::size_t number) const;
-  const std::vector<std::uint8_t>& BricksOf(std::size_t number) const;
+  /// The arrays, with lengths and check sums; after the last band. Adds their payloads, of two
+  /// parts each, which live as long as this.
+  std::vector<NxvArray> Finish(NxvPayload& payload);
 
 private:
   struct Brick
@@ -92,11 +93,8 @@ private:
   static void Append(const Brick& brick, Growing& to);
   static void FillUp(std::size_t count, Growing& to);
 
-  void BeginRows(int rows);
-
   const std::array<int, 3> dimensions;
-  VoxelBlock band; // of the grid
-  RangeLoop loop;
+  VoxelBlock band;              // of the grid
   std::size_t bricksBefore = 0; // the band
   std::vector<Growing> arrays;
 };

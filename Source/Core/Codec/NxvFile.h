@@ -2,7 +2,6 @@
 #pragma once
 
 /// Volume files (Documentation/Formats/nxv.md): writing, reading, and the index of a series.
-#include "nexrad/Codec/CodedVolume.h"
 #include "nexrad/Codec/NxvReader.h"
 #include "nexrad/Codec/NxvSeries.h"
 #include "nexrad/Codec/NxvWriter.h"

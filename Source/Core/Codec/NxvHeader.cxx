@@ -4,7 +4,7 @@
 #include "nexrad/Codec/JsonText.h"
 #include "nexrad/Compression/Deflate.h"
 #include "nexrad/Geometry/Angles.h"
-#include "nexrad/System/Error.h"
+#include "nexrad/System/MessageText.h"
 
 #include <nlohmann/json.hpp>
 
@@ -143,7 +143,6 @@ void ParsePieces(const Json& json, NxvArray& array)
   }
 }
 
-// Of an array in bricks.
 void ParseBricks(const Json& json, NxvArray& array)
 {
   if (array.storage != NxvStorage::Bricks)
@@ -335,7 +334,6 @@ std::vector<NxvArray> ParseArrays(const Json& json)
   return arrays;
 }
 
-// Those that a writer made.
 std::vector<NxvLevel> ParseLevels(const Json& json, const std::string& moment)
 {
   constexpr std::uint64_t most = std::uint64_t(1) << 16; // voxels in one, along an axis

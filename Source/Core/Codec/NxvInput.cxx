@@ -77,12 +77,6 @@ void CheckLengths(const NxvInput& file, const NxvContent& content)
 
 } // namespace
 
-std::uint32_t LittleEndian(const std::uint8_t* bytes)
-{
-  return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8 |
-         static_cast<std::uint32_t>(bytes[2]) << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
-}
-
 void RefuseNxv(std::uint64_t offset, const std::string& what)
 {
   throw Error("byte " + std::to_string(offset) + ": " + what);
@@ -103,22 +97,24 @@ NxvInput::NxvInput(const std::filesystem::path& path)
   }
 }
 
-void NxvInput::Read(std::uint64_t offset, std::uint64_t size,
-  const std::function<void(const std::uint8_t*, std::size_t)>& receive)
+std::uint32_t NxvInput::ChecksumOf(std::uint64_t offset, std::uint64_t size)
 {
+  std::vector<std::uint8_t> buffer(std::size_t(1) << 16);
+  std::uint32_t crc = 0;
   stream.clear();
   stream.seekg(static_cast<std::streamoff>(offset));
   while (size > 0)
   {
     const auto piece = static_cast<std::size_t>(std::min<std::uint64_t>(size, buffer.size()));
-    if (!stream.read(buffer.data(), static_cast<std::streamsize>(piece)))
+    if (!stream.read(reinterpret_cast<char*>(buffer.data()), static_cast<std::streamsize>(piece)))
     {
       RefuseNxv(offset, "cannot be read");
     }
-    receive(reinterpret_cast<const std::uint8_t*>(buffer.data()), piece);
+    crc = Crc32(buffer.data(), piece, crc);
     offset += piece;
     size -= piece;
   }
+  return crc;
 }
 
 std::vector<std::uint8_t> NxvInput::ReadAll(std::uint64_t offset, std::size_t size)
@@ -165,75 +161,18 @@ NxvContent OpenNxv(NxvInput& file)
   return content;
 }
 
-NxvContent LevelOf(NxvContent content, std::size_t level)
-{
-  std::vector<NxvLevel>& levels = content.header.levels;
-  if (level > levels.size())
-  {
-    throw Error("the file has no level " + std::to_string(level) + "; its levels are 0 to " +
-                std::to_string(levels.size()));
-  }
-  for (std::size_t i = 0; i < level; ++i)
-  {
-    for (const NxvArray& array : content.header.arrays)
-    {
-      content.payloads += array.length;
-    }
-    content.header.arrays = std::move(levels[i].arrays);
-  }
-  if (level > 0)
-  {
-    GridSpecification& grid = content.header.volume.grid;
-    grid = CoarserGrid(grid, levels[level - 1].voxels);
-    levels.clear();
-  }
-  return content;
-}
-
 void CheckNxvPayloads(NxvInput& file, const NxvContent& content)
 {
   std::uint64_t offset = content.payloads;
   for (const NxvArray& array : content.header.arrays)
   {
-    std::uint32_t crc = 0;
-    file.Read(offset, array.length,
-      [&crc](const std::uint8_t* data, std::size_t size) { crc = Crc32(data, size, crc); });
-    if (crc != array.crc32)
+    if (file.ChecksumOf(offset, array.length) != array.crc32)
     {
       RefuseNxv(offset, "array \"" + Excerpt(array.name) + "\": its CRC-32 is wrong");
     }
     offset += array.length;
   }
 }
-
-bool HasByteCodes(const NxvArray& array)
-{
-  return array.type == NxvType::UInt7 || array.type == NxvType::UInt8;
-}
-
-namespace
-{
-
-// Unpacks an array that has no bricks.
-void ReadWhole(NxvInput& file, std::uint64_t offset, const NxvArray& array, std::uint8_t* target,
-  std::size_t size, const RangeLoop& loop)
-{
-  const auto stream = file.ReadAll(offset, array.length);
-  if (array.storage == NxvStorage::RunLength)
-  {
-    DecodeRunLength(stream.data(), stream.size(), target, size, loop);
-  }
-  else if (array.pieces.empty())
-  {
-    InflateBytes(stream.data(), stream.size(), target, size);
-  }
-  else
-  {
-    InflatePieces(stream.data(), array.pieces, array.pieceBytes, target, size, loop);
-  }
-}
-
-} // namespace
 
 void ReadArray(NxvInput& file, std::uint64_t offset, const NxvArray& array,
   const GridSpecification& grid, const VoxelBlock& block, std::uint8_t* target,
@@ -247,33 +186,26 @@ void ReadArray(NxvInput& file, std::uint64_t offset, const NxvArray& array,
     return;
   }
   const std::size_t size = grid.VoxelCount() * BytesOf(array.type);
-  if (block == VoxelBlock::Of(grid))
+  const VoxelBlock all = VoxelBlock::Of(grid);
+  std::vector<std::uint8_t> whole(block == all ? 0 : size);
+  std::uint8_t* const unpacked = block == all ? target : whole.data();
+  const auto stream = file.ReadAll(offset, array.length);
+  if (array.storage == NxvStorage::RunLength)
   {
-    ReadWhole(file, offset, array, target, size, loop);
-    return;
+    DecodeRunLength(stream.data(), stream.size(), unpacked, size, loop);
   }
-  std::vector<std::uint8_t> whole(size);
-  ReadWhole(file, offset, array, whole.data(), size, loop);
-  CopyBlock(NxvVoxelBytes::Of(array.type), grid.dimensions, block, whole.data(), target);
-}
-
-VoxelCodes ByteCodesOf(const NxvArray& array, float fill)
-{
-  const bool sevenBits = array.type == NxvType::UInt7;
-  const MomentCode momentCode{1, array.offset, array.scale};
-  VoxelCodes meaning;
-  for (unsigned code = 0; code < VoxelCodes::Count; ++code)
+  else if (array.pieces.empty())
   {
-    const auto byte = static_cast<std::uint8_t>(code);
-    VoxelState& state = meaning.states[code];
-    state = sevenBits ? ThesisCode::StateOf(byte) : MomentCode::StateOf(code);
-    if (sevenBits && code > ThesisCode::NotScannedCode)
-    {
-      state = VoxelState::NotScanned; // no voxel has such a code
-    }
-    meaning.values[code] = state == VoxelState::Echo ? momentCode.ValueOf(code) : fill;
+    InflateBytes(stream.data(), stream.size(), unpacked, size);
   }
-  return meaning;
+  else
+  {
+    InflatePieces(stream.data(), array.pieces, array.pieceBytes, unpacked, size, loop);
+  }
+  if (block != all)
+  {
+    CopyCommon(NxvVoxelBytes::Of(array.type), all, whole.data(), block, target);
+  }
 }
 
 } // namespace nexrad

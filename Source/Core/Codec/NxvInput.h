@@ -1,27 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Codec/CodedVolume.h"
 #include "nexrad/Codec/NxvHeader.h"
-#include "nexrad/Grid/VoxelBlock.h"
+#include "nexrad/Grid/GridSpecification.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/MessageText.h"
 #include "nexrad/System/RangeLoop.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <string>
 #include <vector>
 
 namespace nexrad
 {
-
-/// The number that four bytes of an .nxv file stand for.
-std::uint32_t LittleEndian(const std::uint8_t* bytes);
 
 /// A file that is read in pieces, its length known from the start.
 class NxvInput
@@ -32,16 +26,14 @@ public:
 
   std::uint64_t Length() const { return length; }
 
-  /// Hands `size` bytes from `offset` on to the receiver, a piece at a time.
-  void Read(std::uint64_t offset, std::uint64_t size,
-    const std::function<void(const std::uint8_t*, std::size_t)>& receive);
-
   std::vector<std::uint8_t> ReadAll(std::uint64_t offset, std::size_t size);
+
+  /// CRC-32 of `size` bytes from `offset`, which are not all in memory at a time.
+  std::uint32_t ChecksumOf(std::uint64_t offset, std::uint64_t size);
 
 private:
   std::uint64_t length = 0;
   std::ifstream stream;
-  std::array<char, 64 * 1024> buffer;
 };
 
 /// A volume of a file, and where the payloads of its arrays begin.
@@ -71,10 +63,6 @@ auto NamingTheFile(const std::filesystem::path& path, const Work& work)
 /// Reads the header, and checks the lengths of all arrays against that of the file.
 NxvContent OpenNxv(NxvInput& file);
 
-/// One of the levels of what a file contains, as a volume of its own; 0: the volume itself. Throws
-/// Error for a level that the file does not have.
-NxvContent LevelOf(NxvContent content, std::size_t level);
-
 /// Throws Error when a payload differs from its CRC-32.
 void CheckNxvPayloads(NxvInput& file, const NxvContent& content);
 
@@ -83,11 +71,5 @@ void CheckNxvPayloads(NxvInput& file, const NxvContent& content);
 void ReadArray(NxvInput& file, std::uint64_t offset, const NxvArray& array,
   const GridSpecification& grid, const VoxelBlock& block, std::uint8_t* target,
   const RangeLoop& loop);
-
-/// Whether an array of a moment has codes of one byte.
-bool HasByteCodes(const NxvArray& array);
-
-/// What its codes stand for in a volume of this fill.
-VoxelCodes ByteCodesOf(const NxvArray& array, float fill);
 
 } // namespace nexrad

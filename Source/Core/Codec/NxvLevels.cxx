@@ -2,7 +2,6 @@
 #include "nexrad/Codec/NxvLevels.h"
 
 #include "nexrad/Codec/MomentCode.h"
-#include "nexrad/Grid/VolumeMoments.h"
 #include "nexrad/Polar/GateCode.h"
 
 #include <algorithm>
@@ -183,13 +182,6 @@ private:
   std::size_t firstRow;
 };
 
-void BeginMoment(GriddedVolume& volume, const GridSpecification& grid)
-{
-  volume.grid = grid;
-  volume.values.assign(grid.VoxelCount(), volume.fill);
-  volume.states.assign(grid.VoxelCount(), VoxelState::NotScanned);
-}
-
 } // namespace
 
 GridSpecification CoarserGrid(const GridSpecification& grid, const VoxelsInOne& voxels)
@@ -225,11 +217,12 @@ std::vector<VoxelsInOne> CoarserLevels(const GridSpecification& grid)
 GriddedVolume VolumeLike(const GriddedVolume& volume, const GridSpecification& grid)
 {
   GriddedVolume like = WithoutVoxels(volume);
-  BeginMoment(like, grid);
+  like.grid = grid;
+  like.values.assign(grid.VoxelCount(), like.fill);
+  like.states.assign(grid.VoxelCount(), VoxelState::NotScanned);
   for (const GriddedVolume& further : volume.further)
   {
-    like.further.push_back(WithoutVoxels(further));
-    BeginMoment(like.further.back(), grid);
+    like.further.push_back(VolumeLike(further, grid));
   }
   return like;
 }

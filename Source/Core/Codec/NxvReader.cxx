@@ -2,11 +2,10 @@
 #include "nexrad/Codec/NxvReader.h"
 
 #include "nexrad/Codec/JsonText.h"
-#include "nexrad/Codec/MomentCode.h"
 #include "nexrad/Codec/NxvBricks.h"
 #include "nexrad/Codec/NxvHeader.h"
 #include "nexrad/Codec/NxvInput.h"
-#include "nexrad/Grid/VolumeMoments.h"
+#include "nexrad/Codec/ThesisStream.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/MachineMemory.h"
 #include "nexrad/System/MessageText.h"
@@ -27,6 +26,58 @@ namespace
 {
 
 using Bytes = std::vector<std::uint8_t>;
+
+// One of the levels of what a file contains, as a volume of its own; 0: the volume itself. Throws
+// Error for a level that the file does not have.
+NxvContent LevelOf(NxvContent content, std::size_t level)
+{
+  std::vector<NxvLevel>& levels = content.header.levels;
+  if (level > levels.size())
+  {
+    throw Error("the file has no level " + std::to_string(level) + "; its levels are 0 to " +
+                std::to_string(levels.size()));
+  }
+  for (std::size_t i = 0; i < level; ++i)
+  {
+    for (const NxvArray& array : content.header.arrays)
+    {
+      content.payloads += array.length;
+    }
+    content.header.arrays = std::move(levels[i].arrays);
+  }
+  if (level > 0)
+  {
+    GridSpecification& grid = content.header.volume.grid;
+    grid = CoarserGrid(grid, levels[level - 1].voxels);
+    levels.clear();
+  }
+  return content;
+}
+
+bool HasByteCodes(const NxvArray& array)
+{
+  return array.type == NxvType::UInt7 || array.type == NxvType::UInt8;
+}
+
+// What codes of one byte stand for in a volume of this fill.
+VoxelCodes ByteCodesOf(const NxvArray& array, float fill)
+{
+  const bool sevenBits = array.type == NxvType::UInt7;
+  const MomentCode momentCode{1, array.offset, array.scale};
+  VoxelCodes meaning;
+  for (unsigned code = 0; code < VoxelCodes::Count; ++code)
+  {
+    const auto byte = static_cast<std::uint8_t>(code);
+    VoxelState& state = meaning.states[code];
+    state = sevenBits ? ThesisCode::StateOf(byte) : MomentCode::StateOf(code);
+    if (sevenBits && code > ThesisCode::NotScannedCode)
+    {
+      state = VoxelState::NotScanned; // no voxel has such a code
+    }
+    meaning.values[code] = state == VoxelState::Echo ? momentCode.ValueOf(code) : fill;
+  }
+  return meaning;
+}
 
 // `bytesBesides`: of each voxel, for its further arrays and for the caller.
 void CheckMemory(const GridSpecification& grid, std::size_t bytesBesides, std::size_t maximumBytes)
@@ -75,7 +126,6 @@ const NxvArray& ArrayOf(const NxvHeader& header, MomentName moment)
     [moment](const NxvArray& array) { return array.name == ToString(moment); });
 }
 
-// The moments that are read.
 std::vector<MomentName> WantedMoments(const NxvHeader& header, const NxvReadOptions& options)
 {
   const std::vector<MomentName> own = MomentsOf(header);
@@ -191,17 +241,29 @@ void ReadMoment(
     { return value == volume.fill ? VoxelState::NotScanned : VoxelState::Echo; });
 }
 
+// The two arrays that say more of a moment's states than its codes.
 bool IsOfStates(const NxvArray& array, MomentName moment)
 {
   return array.name == std::string(ToString(moment)) + "_state" && array.type == NxvType::UInt8;
 }
 
-void RequireMomentBefore(const GriddedVolume& volume)
+bool IsOfFiltered(const NxvArray& array, MomentName moment)
 {
-  if (volume.states.size() != volume.grid.VoxelCount())
+  return array.name == std::string(ToString(moment)) + "_filtered" && array.type == NxvType::UInt8;
+}
+
+// The bytes of one of them, which must follow the moment.
+Bytes ReadStateBytes(
+  const Reading& reading, std::uint64_t offset, const NxvArray& array, const GriddedVolume& volume)
+{
+  const std::size_t voxels = volume.grid.VoxelCount();
+  if (volume.states.size() != voxels)
   {
     throw Error("it must follow the array " + std::string(ToString(volume.moment)));
   }
+  Bytes bytes;
+  ReadValues(reading, offset, array, bytes, voxels);
+  return bytes;
 }
 
 // Takes the states from their own array. With codes, it may only add what they cannot say. Without,
@@ -209,9 +271,7 @@ void RequireMomentBefore(const GriddedVolume& volume)
 void ReadStates(const Reading& reading, std::uint64_t offset, const NxvArray& array,
   GriddedVolume& volume, bool fromCodes)
 {
-  RequireMomentBefore(volume);
-  Bytes bytes(volume.grid.VoxelCount());
-  reading.Unpack(offset, array, bytes.data());
+  const Bytes bytes = ReadStateBytes(reading, offset, array, volume);
   for (std::size_t i = 0; i < bytes.size(); ++i)
   {
     if (fromCodes && array.storage == NxvStorage::Bricks && bytes[i] == NxvStateAsCode)
@@ -232,18 +292,11 @@ void ReadStates(const Reading& reading, std::uint64_t offset, const NxvArray& ar
   }
 }
 
-bool IsOfFiltered(const NxvArray& array, MomentName moment)
-{
-  return array.name == std::string(ToString(moment)) + "_filtered" && array.type == NxvType::UInt8;
-}
-
 // Which of the voxels that hold no echo by code or state are filtered.
 void ReadFiltered(
   const Reading& reading, std::uint64_t offset, const NxvArray& array, GriddedVolume& volume)
 {
-  RequireMomentBefore(volume);
-  Bytes bytes(volume.grid.VoxelCount());
-  reading.Unpack(offset, array, bytes.data());
+  const Bytes bytes = ReadStateBytes(reading, offset, array, volume);
   for (std::size_t i = 0; i < bytes.size(); ++i)
   {
     if (bytes[i] > 1 || (bytes[i] == 1 && volume.states[i] != VoxelState::NoEcho))
@@ -316,7 +369,6 @@ void ReadEachArray(const NxvContent& content, const Read& read)
   }
 }
 
-// A moment of a file, to be filled.
 GriddedVolume BeginMoment(const Reading& reading, MomentName moment)
 {
   const NxvHeader& header = reading.content.header;
@@ -327,7 +379,6 @@ GriddedVolume BeginMoment(const Reading& reading, MomentName moment)
   return volume;
 }
 
-// Reads an array if it belongs to the moment.
 void ReadArrayOfMoment(
   const Reading& reading, std::uint64_t offset, const NxvArray& array, GriddedVolume& volume)
 {
@@ -369,6 +420,7 @@ GriddedVolume ReadVoxels(const Reading& reading)
   return JoinMoments(std::move(moments));
 }
 
+// Of a moment that has codes of one byte.
 CodedVolume ReadCodedVoxels(const Reading& reading, MomentName moment)
 {
   CodedVolume coded;
@@ -381,17 +433,9 @@ CodedVolume ReadCodedVoxels(const Reading& reading, MomentName moment)
       {
         coded.codes = ReadCodes(reading, offset, array, coded.volume.grid.VoxelCount());
       }
-      coded.furtherStates =
-        coded.furtherStates || IsOfStates(array, moment) || IsOfFiltered(array, moment);
       ReadAncillaryArray(reading, offset, array, coded.volume);
     });
   return coded;
-}
-
-bool IsInBricks(const NxvHeader& header)
-{
-  return std::all_of(header.arrays.begin(), header.arrays.end(),
-    [](const NxvArray& array) { return array.storage == NxvStorage::Bricks; });
 }
 
 // Checks what can be checked before voxels are read. Bricks have check sums of their own: those of
@@ -401,7 +445,9 @@ Reading BeginReading(NxvInput& file, const NxvContent& content, const NxvReadOpt
   const GridSpecification& grid = content.header.volume.grid;
   const VoxelBlock block = options.block.value_or(VoxelBlock::Of(grid));
   const bool all = block == VoxelBlock::Of(grid);
-  const bool bricks = IsInBricks(content.header);
+  const std::vector<NxvArray>& arrays = content.header.arrays;
+  const bool bricks = std::all_of(arrays.begin(), arrays.end(),
+    [](const NxvArray& array) { return array.storage == NxvStorage::Bricks; });
   CheckMemory(PartOf(grid, bricks ? block : VoxelBlock::Of(grid)),
     FurtherBytes(content.header, options), options.maximumBytes);
   if (all || !bricks)
@@ -411,36 +457,53 @@ Reading BeginReading(NxvInput& file, const NxvContent& content, const NxvReadOpt
   return {file, content, options, block};
 }
 
-// The one moment that is read, if it is one and has codes of one byte.
-std::optional<MomentName> CodedMoment(const NxvHeader& header, const NxvReadOptions& options)
+// The one moment that is read, if it is one and has codes of one byte; with `allStates`, if these
+// tell the states of all voxels.
+std::optional<MomentName> CodedMoment(
+  const NxvHeader& header, const NxvReadOptions& options, bool allStates)
 {
   const std::vector<MomentName> wanted = WantedMoments(header, options);
-  return wanted.size() == 1 && HasByteCodes(ArrayOf(header, wanted.front()))
-           ? std::optional(wanted.front())
-           : std::nullopt;
+  const MomentName moment = wanted.front();
+  const auto isOfStates = [moment](const NxvArray& array)
+  { return IsOfStates(array, moment) || IsOfFiltered(array, moment); };
+  const bool coded =
+    wanted.size() == 1 && HasByteCodes(ArrayOf(header, moment)) &&
+    !(allStates && std::any_of(header.arrays.begin(), header.arrays.end(), isOfStates));
+  return coded ? std::optional(moment) : std::nullopt;
+}
+
+// Does some work on a file and on what it contains, and names the file in what that throws.
+template <typename Work>
+auto WithContent(const fs::path& path, const Work& work)
+{
+  return NamingTheFile(path,
+    [&path, &work]
+    {
+      NxvInput file(path);
+      return work(file, OpenNxv(file));
+    });
 }
 
 } // namespace
 
 GriddedVolume ReadNxv(const fs::path& path, const NxvReadOptions& options)
 {
-  return NamingTheFile(path,
-    [&path, &options]
+  return WithContent(path,
+    [&options](NxvInput& file, const NxvContent& whole)
     {
-      NxvInput file(path);
-      const NxvContent content = LevelOf(OpenNxv(file), options.level);
+      const NxvContent content = LevelOf(whole, options.level);
       return ReadVoxels(BeginReading(file, content, options));
     });
 }
 
-std::optional<CodedVolume> ReadNxvCodes(const fs::path& path, const NxvReadOptions& options)
+std::optional<CodedVolume> ReadNxvCodes(
+  const fs::path& path, const NxvReadOptions& options, bool allStates)
 {
-  return NamingTheFile(path,
-    [&path, &options]() -> std::optional<CodedVolume>
+  return WithContent(path,
+    [&options, allStates](NxvInput& file, const NxvContent& whole) -> std::optional<CodedVolume>
     {
-      NxvInput file(path);
-      const NxvContent content = LevelOf(OpenNxv(file), options.level);
-      const auto moment = CodedMoment(content.header, options);
+      const NxvContent content = LevelOf(whole, options.level);
+      const auto moment = CodedMoment(content.header, options, allStates);
       if (!moment)
       {
         return std::nullopt;
@@ -449,42 +512,28 @@ std::optional<CodedVolume> ReadNxvCodes(const fs::path& path, const NxvReadOptio
     });
 }
 
-bool HasNxvCodes(const fs::path& path, const NxvReadOptions& options, bool allStates)
+bool HasNxvCodes(const fs::path& path, const NxvReadOptions& options)
 {
-  return NamingTheFile(path,
-    [&path, &options, allStates]
-    {
-      NxvInput file(path);
-      const NxvHeader header = LevelOf(OpenNxv(file), options.level).header;
-      const auto moment = CodedMoment(header, options);
-      const auto isOfStates = [&moment](const NxvArray& array)
-      { return IsOfStates(array, *moment) || IsOfFiltered(array, *moment); };
-      return moment &&
-             !(allStates && std::any_of(header.arrays.begin(), header.arrays.end(), isOfStates));
-    });
+  return WithContent(path, [&options](const NxvInput&, const NxvContent& whole)
+    { return CodedMoment(LevelOf(whole, options.level).header, options, false).has_value(); });
 }
 
 GriddedVolume ReadNxvHeader(const fs::path& path)
 {
-  return NamingTheFile(path,
-    [&path]
-    {
-      NxvInput file(path);
-      return OpenNxv(file).header.volume;
-    });
+  return WithContent(
+    path, [](const NxvInput&, const NxvContent& content) { return content.header.volume; });
 }
 
 std::vector<GridSpecification> ReadNxvLevels(const fs::path& path)
 {
-  return NamingTheFile(path,
-    [&path]
+  return WithContent(path,
+    [](const NxvInput&, const NxvContent& content)
     {
-      NxvInput file(path);
-      const NxvHeader header = OpenNxv(file).header;
-      std::vector<GridSpecification> grids{header.volume.grid};
-      for (const NxvLevel& level : header.levels)
+      const GridSpecification& grid = content.header.volume.grid;
+      std::vector<GridSpecification> grids{grid};
+      for (const NxvLevel& level : content.header.levels)
       {
-        grids.push_back(CoarserGrid(header.volume.grid, level.voxels));
+        grids.push_back(CoarserGrid(grid, level.voxels));
       }
       return grids;
     });
@@ -492,27 +541,21 @@ std::vector<GridSpecification> ReadNxvLevels(const fs::path& path)
 
 std::vector<MomentName> ReadNxvMoments(const fs::path& path)
 {
-  return NamingTheFile(path,
-    [&path]
-    {
-      NxvInput file(path);
-      return MomentsOf(OpenNxv(file).header);
-    });
+  return WithContent(
+    path, [](const NxvInput&, const NxvContent& content) { return MomentsOf(content.header); });
 }
 
 std::vector<std::string> ReadNxvAncillaryArrayNames(const fs::path& path)
 {
-  return NamingTheFile(path,
-    [&path]
+  return WithContent(path,
+    [](const NxvInput&, const NxvContent& content)
     {
-      NxvInput file(path);
-      const NxvHeader header = OpenNxv(file).header;
       std::vector<std::string> names;
-      for (const NxvArray& array : header.arrays)
+      for (const NxvArray& array : content.header.arrays)
       {
         const auto add = [&](const char* name, const auto&)
         {
-          for (const MomentName moment : MomentsOf(header))
+          for (const MomentName moment : MomentsOf(content.header))
           {
             if (array.name == AncillaryArrayName(moment, name))
             {
@@ -520,7 +563,7 @@ std::vector<std::string> ReadNxvAncillaryArrayNames(const fs::path& path)
             }
           }
         };
-        ForEachAncillaryArray(header.volume.ancillary, add);
+        ForEachAncillaryArray(content.header.volume.ancillary, add);
       }
       return names;
     });

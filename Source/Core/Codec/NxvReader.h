@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Codec/CodedVolume.h"
+#include "nexrad/Codec/MomentCode.h"
 #include "nexrad/Grid/GriddedVolume.h"
-#include "nexrad/Grid/VoxelBlock.h"
 #include "nexrad/System/RangeLoop.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,16 +42,23 @@ struct NxvReadOptions
 /// passed over.
 GriddedVolume ReadNxv(const std::filesystem::path& path, const NxvReadOptions& options = {});
 
-/// Reads one moment as the codes that the file has, and its ancillary arrays. Nothing when several
-/// moments are to be read, or the file has no codes of one byte of it, but codes of two or floats.
-/// Throws Error as ReadNxv does.
-std::optional<CodedVolume> ReadNxvCodes(
-  const std::filesystem::path& path, const NxvReadOptions& options = {});
+/// One moment of a merged volume as one byte a voxel.
+struct CodedVolume
+{
+  GriddedVolume volume; ///< without values and states
+  VoxelCodes meaning;
+  std::unique_ptr<std::uint8_t[]> codes; ///< x fastest, then y, then z upward
+};
 
-/// Whether ReadNxvCodes would give something; and of `allStates`, something that tells range folded
-/// and filtered voxels too, because there are none.
-bool HasNxvCodes(
+/// Reads one moment as the codes that the file has, and its ancillary arrays. Nothing when several
+/// moments are to be read, or the file has no codes of one byte of it, but codes of two or floats;
+/// with `allStates`, also when voxels are range folded or filtered, which no code tells from no
+/// echo. Throws Error as ReadNxv does.
+std::optional<CodedVolume> ReadNxvCodes(
   const std::filesystem::path& path, const NxvReadOptions& options = {}, bool allStates = false);
+
+/// Whether ReadNxvCodes would give something, of all states or not.
+bool HasNxvCodes(const std::filesystem::path& path, const NxvReadOptions& options = {});
 
 /// Reads the header alone: the same volume without values, states and ancillary arrays.
 GriddedVolume ReadNxvHeader(const std::filesystem::path& path);

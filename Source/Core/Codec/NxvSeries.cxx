@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Codec/NxvSeries.h"
 
+#include "nexrad/Archives/StoredFiles.h"
 #include "nexrad/Codec/JsonText.h"
 #include "nexrad/Model/Time.h"
 #include "nexrad/System/AtomicFile.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/MessageText.h"
-#include "nexrad/System/OrdinaryFile.h"
 
 #include <nlohmann/json.hpp>
 

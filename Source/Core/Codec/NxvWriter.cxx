@@ -9,14 +9,13 @@
 #include "nexrad/Codec/NxvReader.h"
 #include "nexrad/Codec/ThesisStream.h"
 #include "nexrad/Compression/Deflate.h"
-#include "nexrad/Grid/VolumeMoments.h"
 #include "nexrad/System/AtomicFile.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
+#include <functional>
 
 namespace nexrad
 {
@@ -30,22 +29,17 @@ using Bytes = std::vector<std::uint8_t>;
 // few that a volume of 256 x 256 x 128 voxels has several.
 constexpr std::size_t pieceSize = std::size_t(1) << 20;
 
-// What takes the arrays of a volume.
-struct Content
-{
-  virtual ~Content() = default;
-  virtual void AddDeflated(
-    NxvArray array, std::size_t size, DeflateSearch search, const ByteSource& source) = 0;
-};
+// What takes an array of a volume, of which `source` gives `size` bytes, to be deflated.
+using AddArray = std::function<void(
+  NxvArray array, std::size_t size, DeflateSearch search, const ByteSource& source)>;
 
 // A header that grows with the payloads that follow it.
-struct FileContent : Content
+struct FileContent
 {
   NxvHeader header;
   std::vector<Bytes> payloads;
 
-  void AddDeflated(
-    NxvArray array, std::size_t size, DeflateSearch search, const ByteSource& source) override
+  void AddDeflated(NxvArray array, std::size_t size, DeflateSearch search, const ByteSource& source)
   {
     array.storage = NxvStorage::Deflated;
     DeflatedPieces deflated = DeflateInPieces(source, size, pieceSize, search);
@@ -66,15 +60,6 @@ struct FileContent : Content
   }
 };
 
-std::uint8_t* WriteLittleEndian(std::uint32_t word, std::uint8_t* to)
-{
-  for (unsigned shift = 0; shift < 32; shift += 8)
-  {
-    *to++ = static_cast<std::uint8_t>(word >> shift);
-  }
-  return to;
-}
-
 // Bytes of floats, of which whole ones are asked for.
 ByteSource FloatBytes(const std::vector<float>& values)
 {
@@ -84,7 +69,10 @@ ByteSource FloatBytes(const std::vector<float>& values)
     {
       std::uint32_t word = 0;
       std::memcpy(&word, &values[i], sizeof(word));
-      to = WriteLittleEndian(word, to);
+      for (unsigned shift = 0; shift < 32; shift += 8)
+      {
+        *to++ = static_cast<std::uint8_t>(word >> shift);
+      }
     }
   };
 }
@@ -119,13 +107,13 @@ NxvArray MomentArray(const GriddedVolume& volume)
 
 // `stateOf` gives the state that the file has of a voxel.
 template <class StateOf>
-void AddStates(Content& content, const GriddedVolume& volume, const StateOf& stateOf)
+void AddStates(const AddArray& add, const GriddedVolume& volume, const StateOf& stateOf)
 {
   NxvArray array;
   array.name = std::string(ToString(volume.moment)) + "_state";
   array.type = NxvType::UInt8;
   array.fill = static_cast<double>(VoxelState::NotScanned);
-  content.AddDeflated(array, volume.states.size(), DeflateSearch::Runs, BytesOfVoxels(stateOf));
+  add(array, volume.states.size(), DeflateSearch::Runs, BytesOfVoxels(stateOf));
 }
 
 bool Holds(const std::vector<VoxelState>& states, VoxelState state)
@@ -136,7 +124,7 @@ bool Holds(const std::vector<VoxelState>& states, VoxelState state)
 
 // Which voxels are filtered, where some are. Readers that do not know the array take them for no
 // echo.
-void AddFiltered(Content& content, const GriddedVolume& volume)
+void AddFiltered(const AddArray& add, const GriddedVolume& volume)
 {
   if (!Holds(volume.states, VoxelState::Filtered))
   {
@@ -145,59 +133,58 @@ void AddFiltered(Content& content, const GriddedVolume& volume)
   NxvArray array;
   array.name = std::string(ToString(volume.moment)) + "_filtered";
   array.type = NxvType::UInt8;
-  content.AddDeflated(array, volume.states.size(), DeflateSearch::Runs,
+  add(array, volume.states.size(), DeflateSearch::Runs,
     BytesOfVoxels(
       [&states = volume.states](std::size_t i) { return states[i] == VoxelState::Filtered; }));
 }
 
-void AddFloats(Content& content, const GriddedVolume& volume)
+void AddFloats(const AddArray& add, const GriddedVolume& volume)
 {
-  CheckVoxelCount(volume);
   NxvArray array = MomentArray(volume);
   array.type = NxvType::Float32;
-  content.AddDeflated(
+  add(
     array, volume.values.size() * sizeof(float), DeflateSearch::Repeats, FloatBytes(volume.values));
   AddStates(
-    content, volume, [&states = volume.states](std::size_t i) { return StateInFile(states[i]); });
-  AddFiltered(content, volume);
+    add, volume, [&states = volume.states](std::size_t i) { return StateInFile(states[i]); });
+  AddFiltered(add, volume);
 }
 
 // The array of states has those that the 7-bit codes stand for, but range folded. Echoes that
 // became code 0 are no echo, with the array of states as without.
-void AddThesisStream(FileContent& content, const GriddedVolume& volume)
+void AddThesisStream(FileContent& content, const AddArray& add, const GriddedVolume& volume)
 {
   const Bytes codes = ThesisCode::EncodeAll(volume);
   content.Add(MomentArray(volume), EncodeRunLength(codes));
   if (Holds(volume.states, VoxelState::RangeFolded))
   {
-    AddStates(content, volume,
+    AddStates(add, volume,
       [&codes, &states = volume.states](std::size_t i)
       {
         const bool folded = states[i] == VoxelState::RangeFolded;
         return folded ? VoxelState::RangeFolded : ThesisCode::StateOf(codes[i]);
       });
   }
-  AddFiltered(content, volume);
+  AddFiltered(add, volume);
 }
 
-void AddCodes(Content& content, const GriddedVolume& volume, const MomentCode& code)
+void AddCodes(const AddArray& add, const GriddedVolume& volume, const MomentCode& code)
 {
   NxvArray array = MomentArray(volume);
   array.type = code.bytes == 1 ? NxvType::UInt8 : NxvType::UInt16;
   array.offset = code.offset;
   array.scale = code.scale;
-  content.AddDeflated(array, code.ByteCount(volume), DeflateSearch::Runs,
+  add(array, code.bytes * volume.states.size(), DeflateSearch::Runs,
     [&](std::size_t first, std::size_t count, std::uint8_t* to)
     { code.WriteBytes(volume, first, count, to); });
 }
 
 // An echo that is not a number has the code, and with it the state, of not scanned.
-void AddRadarSteps(Content& content, const GriddedVolume& volume)
+void AddRadarSteps(const AddArray& add, const GriddedVolume& volume)
 {
-  AddCodes(content, volume, MomentCode::Of(volume));
+  AddCodes(add, volume, MomentCode::Of(volume));
   if (Holds(volume.states, VoxelState::RangeFolded))
   {
-    AddStates(content, volume,
+    AddStates(add, volume,
       [&volume](std::size_t i)
       {
         const VoxelState state = StateInFile(volume.states[i]);
@@ -205,7 +192,7 @@ void AddRadarSteps(Content& content, const GriddedVolume& volume)
         return isNumber ? state : VoxelState::NotScanned;
       });
   }
-  AddFiltered(content, volume);
+  AddFiltered(add, volume);
 }
 
 // The first of finest × 1, 2, 5, 10, … of which 255 reach the largest value.
@@ -258,9 +245,9 @@ void CheckAncillaryArray(
   }
 }
 
-void AddAncillary(Content& content, const GriddedVolume& volume, bool exact)
+void AddAncillary(const AddArray& add, const GriddedVolume& volume, bool exact)
 {
-  const auto add = [&](const std::string& name, const auto& values)
+  const auto addIfThere = [&](const std::string& name, const auto& values)
   {
     if (values.empty())
     {
@@ -274,31 +261,64 @@ void AddAncillary(Content& content, const GriddedVolume& volume, bool exact)
     array.fill = name == "site" ? AncillaryArrays::NoSite : 0.0;
     const ByteSource source = AncillaryBytes(array, values, exact);
     const std::size_t each = array.type == NxvType::Float32 ? sizeof(float) : 1;
-    content.AddDeflated(array, values.size() * each, DeflateSearch::Repeats, source);
+    add(array, values.size() * each, DeflateSearch::Repeats, source);
   };
-  ForEachAncillaryArray(volume.ancillary, add);
+  ForEachAncillaryArray(volume.ancillary, addIfThere);
 }
 
 void AddMoment(FileContent& content, const GriddedVolume& volume, NxvEncoding encoding)
 {
+  CheckVoxelCount(volume);
+  const AddArray add =
+    [&content](NxvArray array, std::size_t size, DeflateSearch search, const ByteSource& source)
+  { content.AddDeflated(std::move(array), size, search, source); };
   switch (encoding)
   {
   case NxvEncoding::RadarSteps:
-    AddRadarSteps(content, volume);
+    AddRadarSteps(add, volume);
     break;
   case NxvEncoding::Thesis:
-    AddThesisStream(content, volume);
+    AddThesisStream(content, add, volume);
     break;
   case NxvEncoding::Float:
-    AddFloats(content, volume);
+    AddFloats(add, volume);
     break;
   }
-  AddAncillary(content, volume, encoding == NxvEncoding::Float);
+  AddAncillary(add, volume, encoding == NxvEncoding::Float);
 }
 
-using Payload = std::vector<const Bytes*>; // one part after the other
+// The same code in all bands, whatever they hold; states where the codes do not tell them.
+void AddBandCodes(const AddArray& add, const GriddedVolume& volume)
+{
+  AddCodes(add, volume, MomentCode::Widest(volume.moment));
+  if (Holds(volume.states, VoxelState::RangeFolded))
+  {
+    AddStates(add, volume,
+      [&states = volume.states](std::size_t i)
+      {
+        return states[i] == VoxelState::RangeFolded ? static_cast<std::uint8_t>(states[i])
+                                                    : NxvStateAsCode;
+      });
+  }
+  AddFiltered(add, volume);
+}
 
-void WriteFile(const std::filesystem::path& path, const NxvHeader& volume, const Payload& payload)
+void AddBand(const AddArray& add, const GriddedVolume& volume, bool exact)
+{
+  CheckVoxelCount(volume);
+  if (exact)
+  {
+    AddFloats(add, volume);
+  }
+  else
+  {
+    AddBandCodes(add, volume);
+  }
+  AddAncillary(add, volume, true);
+}
+
+void WriteFile(
+  const std::filesystem::path& path, const NxvHeader& volume, const NxvPayload& payload)
 {
   const std::string header = FormatNxvHeader(volume);
   if (header.size() > NxvLargestHeader)
@@ -306,8 +326,8 @@ void WriteFile(const std::filesystem::path& path, const NxvHeader& volume, const
     throw Error(path.string() + ": the header would be longer than " +
                 std::to_string(NxvLargestHeader) + " bytes");
   }
-  std::array<std::uint8_t, 8> start = {'N', 'X', 'V', '1'};
-  WriteLittleEndian(static_cast<std::uint32_t>(header.size()), start.data() + 4);
+  Bytes start = {'N', 'X', 'V', '1'};
+  AppendLittleEndian(static_cast<std::uint32_t>(header.size()), start);
   AtomicFile file(path);
   file.Write(start.data(), start.size());
   file.Write(header.data(), header.size());
@@ -328,77 +348,27 @@ void RequireFiniteFill(const std::filesystem::path& path, const GriddedVolume& v
 
 } // namespace
 
-void WriteNxv(
-  const std::filesystem::path& path, const GriddedVolume& volume, const NxvWriteOptions& options)
+void WriteNxv(const std::filesystem::path& path, const GriddedVolume& volume,
+  std::optional<NxvEncoding> encoding)
 {
   RequireFiniteFill(path, volume);
   FileContent content;
   content.header.volume = WithoutVoxels(volume);
   const bool asTheThesis = volume.method == "thesis" && volume.moment == MomentName::REF;
   const NxvEncoding usual = asTheThesis ? NxvEncoding::Thesis : NxvEncoding::RadarSteps;
-  AddMoment(content, volume, options.encoding.value_or(usual));
-  const bool exact = options.encoding == NxvEncoding::Float;
+  AddMoment(content, volume, encoding.value_or(usual));
+  const bool exact = encoding == NxvEncoding::Float;
   for (const GriddedVolume& further : volume.further)
   {
     AddMoment(content, further, exact ? NxvEncoding::Float : NxvEncoding::RadarSteps);
   }
-  Payload payload;
+  NxvPayload payload;
   for (const Bytes& each : content.payloads)
   {
     payload.push_back(&each);
   }
   WriteFile(path, content.header, payload);
 }
-
-namespace
-{
-
-// Takes the arrays of a band.
-struct BandContent : Content
-{
-  explicit BandContent(NxvBrickArrays& theArrays)
-    : arrays(theArrays)
-  {
-  }
-  void AddDeflated(
-    NxvArray array, std::size_t, DeflateSearch search, const ByteSource& source) override
-  {
-    arrays.Add(array, search, source);
-  }
-
-  NxvBrickArrays& arrays;
-};
-
-// The same code in all bands, whatever they hold; states where the codes do not tell them.
-void AddBandCodes(Content& content, const GriddedVolume& volume)
-{
-  AddCodes(content, volume, MomentCode::Widest(volume.moment));
-  if (Holds(volume.states, VoxelState::RangeFolded))
-  {
-    AddStates(content, volume,
-      [&states = volume.states](std::size_t i)
-      {
-        return states[i] == VoxelState::RangeFolded ? static_cast<std::uint8_t>(states[i])
-                                                    : NxvStateAsCode;
-      });
-  }
-  AddFiltered(content, volume);
-}
-
-void AddBand(Content& content, const GriddedVolume& volume, bool exact)
-{
-  if (exact)
-  {
-    AddFloats(content, volume);
-  }
-  else
-  {
-    AddBandCodes(content, volume);
-  }
-  AddAncillary(content, volume, true);
-}
-
-} // namespace
 
 static_assert(NxvBandWriter::Rows == NxvBrickSize[1]);
 static_assert(NxvBandWriter::Rows % 2 == 0, "a band is whole rows of the next level");
@@ -435,119 +405,114 @@ struct NxvBandWriter::Impl
     int rows = 0;                      // of it that are made
   };
 
-  void Describe(const GriddedVolume& band);
-  void Add(std::size_t number, const GriddedVolume& band, const RangeLoop& loop);
-  void AddToNext(std::size_t number, const GriddedVolume& band, const RangeLoop& loop);
-  void AddRowsOf(const std::filesystem::path& part);
-  void AddNextOf(const std::filesystem::path& part, const RangeLoop& loop);
+  // Takes what bands say of the volume.
+  void Describe(const GriddedVolume& band)
+  {
+    const GridSpecification grid = header.volume.grid;
+    header.volume = WithoutVoxels(band);
+    header.volume.grid = grid;
+  }
+
+  void Add(std::size_t number, const GriddedVolume& band, const RangeLoop& loop)
+  {
+    Level& level = levels[number];
+    const AddArray add = [&level, &loop](const NxvArray& array, std::size_t, DeflateSearch search,
+                           const ByteSource& source)
+    { level.arrays.Add(array, search, source, loop); };
+    if (band.grid != level.GridOf(level.arrays.BeginBand()))
+    {
+      throw Error(path.string() + ": bands must have " + std::to_string(Rows) +
+                  " rows of the grid each, from the first row on");
+    }
+    AddBand(add, band, level.exact);
+    for (const GriddedVolume& further : band.further)
+    {
+      AddBand(add, further, level.exact);
+    }
+    level.arrays.EndBand();
+    if (number + 1 < levels.size())
+    {
+      this->AddToNext(number, band, loop);
+    }
+  }
+
+  // Makes rows of the next level of a band of this one, and adds that level's band once it has all.
+  void AddToNext(std::size_t number, const GriddedVolume& band, const RangeLoop& loop)
+  {
+    const VoxelsInOne& before = levels[number].voxels;
+    Level& next = levels[number + 1];
+    const VoxelsInOne voxels = {
+      next.voxels[0] / before[0], next.voxels[1] / before[1], next.voxels[2] / before[2]};
+    if (!next.band)
+    {
+      next.band = VolumeLike(band, next.GridOf(next.arrays.NextRows()));
+      next.rows = 0;
+    }
+    SetCoarser(band, voxels, next.rows, *next.band, loop);
+    next.rows += CoarserGrid(band.grid, voxels).dimensions[1];
+    if (next.rows == next.band->grid.dimensions[1])
+    {
+      const GriddedVolume made = std::move(*next.band);
+      next.band.reset();
+      this->Add(number + 1, made, loop);
+    }
+  }
+
+  // Takes the bricks of a part as they are.
+  void AddRowsOf(const std::filesystem::path& part)
+  {
+    NxvInput file(part);
+    const NxvContent content = OpenNxv(file);
+    const GridSpecification& grid = content.header.volume.grid;
+    NxvBrickArrays& arrays = levels.front().arrays;
+    const VoxelBlock rows = arrays.NextRows(grid.dimensions[1]);
+    // Not as a whole: the centre of a file's geographic grid is that of its rows.
+    if (rows.Size(1) != grid.dimensions[1] || grid.origin != levels.front().GridOf(rows).origin)
+    {
+      throw Error("its rows do not follow those before");
+    }
+    CheckNxvPayloads(file, content);
+    arrays.AddRows(grid.dimensions[1], content.header.arrays,
+      [&](std::uint64_t offset, std::size_t size)
+      { return file.ReadAll(content.payloads + offset, size); });
+    this->Describe(content.header.volume);
+  }
+
+  // Makes bands of the next level of what a part has of it.
+  void AddNextOf(const std::filesystem::path& part, const RangeLoop& loop)
+  {
+    const Level& next = levels[1];
+    NxvReadOptions options;
+    options.loop = loop;
+    options.level = 1;
+    const int rows = ReadNxvLevels(part).at(1).dimensions[1];
+    for (int row = 0; row < rows; row += Rows)
+    {
+      VoxelBlock block = next.arrays.NextRows();
+      const GridSpecification grid = next.GridOf(block);
+      block.end[1] = row + block.Size(1);
+      block.begin[1] = row;
+      options.block = block;
+      GriddedVolume band = ReadNxv(part, options);
+      band.grid = grid;
+      for (GriddedVolume& further : band.further)
+      {
+        further.grid = grid;
+      }
+      this->Add(1, band, loop);
+    }
+  }
 
   std::filesystem::path path;
   NxvHeader header;
   std::vector<Level> levels; // from fine to coarse
 };
 
-// Takes what bands say of the volume.
-void NxvBandWriter::Impl::Describe(const GriddedVolume& band)
-{
-  const GridSpecification grid = header.volume.grid;
-  header.volume = WithoutVoxels(band);
-  header.volume.grid = grid;
-}
-
-void NxvBandWriter::Impl::Add(std::size_t number, const GriddedVolume& band, const RangeLoop& loop)
-{
-  Level& level = levels[number];
-  BandContent content(level.arrays);
-  if (band.grid != level.GridOf(level.arrays.BeginBand(loop)))
-  {
-    throw Error(path.string() + ": bands must have " + std::to_string(Rows) +
-                " rows of the grid each, from the first row on");
-  }
-  AddBand(content, band, level.exact);
-  for (const GriddedVolume& further : band.further)
-  {
-    AddBand(content, further, level.exact);
-  }
-  level.arrays.EndBand();
-  if (number + 1 < levels.size())
-  {
-    this->AddToNext(number, band, loop);
-  }
-}
-
-// Makes rows of the next level of a band of this one, and adds that level's band once it has all.
-void NxvBandWriter::Impl::AddToNext(
-  std::size_t number, const GriddedVolume& band, const RangeLoop& loop)
-{
-  const VoxelsInOne& before = levels[number].voxels;
-  Level& next = levels[number + 1];
-  const VoxelsInOne voxels = {
-    next.voxels[0] / before[0], next.voxels[1] / before[1], next.voxels[2] / before[2]};
-  if (!next.band)
-  {
-    next.band = VolumeLike(band, next.GridOf(next.arrays.NextBand()));
-    next.rows = 0;
-  }
-  SetCoarser(band, voxels, next.rows, *next.band, loop);
-  next.rows += CoarserGrid(band.grid, voxels).dimensions[1];
-  if (next.rows == next.band->grid.dimensions[1])
-  {
-    const GriddedVolume made = std::move(*next.band);
-    next.band.reset();
-    this->Add(number + 1, made, loop);
-  }
-}
-
-// Takes the bricks of a part as they are.
-void NxvBandWriter::Impl::AddRowsOf(const std::filesystem::path& part)
-{
-  NxvInput file(part);
-  const NxvContent content = OpenNxv(file);
-  const GridSpecification& grid = content.header.volume.grid;
-  NxvBrickArrays& arrays = levels.front().arrays;
-  const VoxelBlock rows = arrays.NextRows(grid.dimensions[1]);
-  // Not as a whole: the centre of a file's geographic grid is that of its rows.
-  if (rows.Size(1) != grid.dimensions[1] || grid.origin != levels.front().GridOf(rows).origin)
-  {
-    throw Error("its rows do not follow those before");
-  }
-  CheckNxvPayloads(file, content);
-  arrays.AddRows(grid.dimensions[1], content.header.arrays,
-    [&](std::uint64_t offset, std::size_t size)
-    { return file.ReadAll(content.payloads + offset, size); });
-  this->Describe(content.header.volume);
-}
-
-// Makes bands of the next level of what a part has of it.
-void NxvBandWriter::Impl::AddNextOf(const std::filesystem::path& part, const RangeLoop& loop)
-{
-  const Level& next = levels[1];
-  NxvReadOptions options;
-  options.loop = loop;
-  options.level = 1;
-  const int rows = ReadNxvLevels(part).at(1).dimensions[1];
-  for (int row = 0; row < rows; row += Rows)
-  {
-    VoxelBlock block = next.arrays.NextBand();
-    const GridSpecification grid = next.GridOf(block);
-    block.end[1] = row + block.Size(1);
-    block.begin[1] = row;
-    options.block = block;
-    GriddedVolume band = ReadNxv(part, options);
-    band.grid = grid;
-    for (GriddedVolume& further : band.further)
-    {
-      further.grid = grid;
-    }
-    this->Add(1, band, loop);
-  }
-}
-
-NxvBandWriter::NxvBandWriter(
-  const std::filesystem::path& path, const GridSpecification& grid, const NxvWriteOptions& options)
+NxvBandWriter::NxvBandWriter(const std::filesystem::path& path, const GridSpecification& grid,
+  std::optional<NxvEncoding> encoding)
   : impl(new Impl{path, {}, {}})
 {
-  const bool exact = options.encoding == NxvEncoding::Float;
+  const bool exact = encoding == NxvEncoding::Float;
   impl->header.volume.grid = grid;
   impl->levels.emplace_back(grid, VoxelBlock::Of(grid), VoxelsInOne{1, 1, 1}, exact);
   for (const VoxelsInOne& voxels : CoarserLevels(grid))
@@ -559,12 +524,11 @@ NxvBandWriter::NxvBandWriter(
 
 // The further levels are made of the next one, which for that must be exact.
 NxvBandWriter::NxvBandWriter(const std::filesystem::path& path, const GridSpecification& grid,
-  const VoxelBlock& rows, const NxvWriteOptions& options)
+  const VoxelBlock& rows, std::optional<NxvEncoding> encoding)
   : impl(new Impl{path, {}, {}})
 {
   impl->header.volume.grid = PartOf(grid, rows);
-  impl->levels.emplace_back(
-    grid, rows, VoxelsInOne{1, 1, 1}, options.encoding == NxvEncoding::Float);
+  impl->levels.emplace_back(grid, rows, VoxelsInOne{1, 1, 1}, encoding == NxvEncoding::Float);
   const std::vector<VoxelsInOne> levels = CoarserLevels(grid);
   if (!levels.empty())
   {
@@ -597,15 +561,10 @@ void NxvBandWriter::AddPart(const std::filesystem::path& part, const RangeLoop& 
 
 void NxvBandWriter::Commit()
 {
-  Payload payload;
+  NxvPayload payload;
   for (Impl::Level& level : impl->levels)
   {
-    std::vector<NxvArray> arrays = level.arrays.Finish();
-    for (std::size_t i = 0; i < arrays.size(); ++i)
-    {
-      payload.push_back(&level.arrays.IndexOf(i));
-      payload.push_back(&level.arrays.BricksOf(i));
-    }
+    std::vector<NxvArray> arrays = level.arrays.Finish(payload);
     if (&level == &impl->levels.front())
     {
       impl->header.arrays = std::move(arrays);

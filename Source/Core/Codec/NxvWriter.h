@@ -2,7 +2,6 @@
 #pragma once
 
 #include "nexrad/Grid/GriddedVolume.h"
-#include "nexrad/Grid/VoxelBlock.h"
 #include "nexrad/System/RangeLoop.h"
 
 #include <filesystem>
@@ -20,15 +19,10 @@ enum class NxvEncoding
   Float       ///< exact float32 and the states, deflated
 };
 
-struct NxvWriteOptions
-{
-  /// Default: Thesis for REF of the method "thesis", else RadarSteps. Further moments of a volume
-  /// are RadarSteps or Float.
-  std::optional<NxvEncoding> encoding;
-};
-
 /// Writes one volume, with its further moments (Documentation/Formats/nxv.md), under a temporary
-/// name and renames it. Throws Error when the file cannot be written; nothing half-written stays.
+/// name and renames it. Encoded by default as Thesis for REF of the method "thesis", else as
+/// RadarSteps; further moments are RadarSteps or Float. Throws Error when the file cannot be
+/// written; nothing half-written stays.
 ///
 /// All codes keep three states: an echo, no echo, not scanned. When a voxel is range folded
 /// the states go into the file beside them as an array of their own; when one is filtered, an array
@@ -36,7 +30,7 @@ struct NxvWriteOptions
 /// are; ages and weights in 255 steps, of 1 s and 0.01 or as many more (2, 5, 10, … times) as the
 /// largest value needs, but exact when Float is asked for.
 void WriteNxv(const std::filesystem::path& path, const GriddedVolume& volume,
-  const NxvWriteOptions& options = {});
+  std::optional<NxvEncoding> encoding = {});
 
 /// Writes one volume in bricks (Documentation/Formats/nxv.md) from bands of its rows, of which one
 /// alone is there at a time. A brick of voxels that are alike takes eight bytes before these are
@@ -50,11 +44,11 @@ class NxvBandWriter
 public:
   /// `grid` is that of the whole volume.
   NxvBandWriter(const std::filesystem::path& path, const GridSpecification& grid,
-    const NxvWriteOptions& options = {});
+    std::optional<NxvEncoding> encoding = {});
   /// Of some rows of the grid alone, which one of several processes makes: from a multiple of
   /// PartRows to another one, or to the last row. The file serves AddPart alone.
   NxvBandWriter(const std::filesystem::path& path, const GridSpecification& grid,
-    const VoxelBlock& rows, const NxvWriteOptions& options = {});
+    const VoxelBlock& rows, std::optional<NxvEncoding> encoding = {});
   ~NxvBandWriter();
   NxvBandWriter(const NxvBandWriter&) = delete;
   NxvBandWriter& operator=(const NxvBandWriter&) = delete;

@@ -19,7 +19,6 @@ namespace
 constexpr std::uint8_t literalBit = 0x80;
 constexpr std::size_t runSize = 5; // bytes of a run in the stream
 
-// The code of an echo.
 inline std::uint8_t CodeOf(float value)
 {
   if (std::isnan(value))
@@ -36,15 +35,6 @@ inline std::uint8_t CodeOf(float value)
 [[noreturn]] void Refuse(std::uint64_t offset, const std::string& what)
 {
   throw Error("byte " + std::to_string(offset) + " of the run-length stream: " + what);
-}
-
-void AppendRun(std::vector<std::uint8_t>& stream, std::uint8_t code, std::uint32_t length)
-{
-  stream.push_back(code);
-  for (unsigned shift = 0; shift < 32; shift += 8)
-  {
-    stream.push_back(static_cast<std::uint8_t>(length >> shift));
-  }
 }
 
 // How many codes are equal to the first. Most runs are long: eight are looked at in one word.
@@ -71,19 +61,6 @@ std::size_t RunLengthAt(const std::uint8_t* codes, std::size_t longest)
 }
 
 } // namespace
-
-std::uint8_t ThesisCode::Encode(float value, VoxelState state)
-{
-  switch (state)
-  {
-  case VoxelState::Echo:
-    return CodeOf(value);
-  case VoxelState::NotScanned:
-    return NotScannedCode;
-  default:
-    return NoEchoCode;
-  }
-}
 
 VoxelState ThesisCode::StateOf(std::uint8_t code)
 {
@@ -121,7 +98,8 @@ std::vector<std::uint8_t> EncodeRunLength(const std::vector<std::uint8_t>& codes
       RunLengthAt(codes.data() + begin, std::min(codes.size() - begin, longest));
     if (length > 1)
     {
-      AppendRun(stream, code, static_cast<std::uint32_t>(length));
+      stream.push_back(code);
+      AppendLittleEndian(static_cast<std::uint32_t>(length), stream);
     }
     else
     {
@@ -134,12 +112,6 @@ std::vector<std::uint8_t> EncodeRunLength(const std::vector<std::uint8_t>& codes
 
 namespace
 {
-
-std::uint32_t LengthOfRun(const std::uint8_t* run)
-{
-  return run[1] | static_cast<std::uint32_t>(run[2]) << 8 |
-         static_cast<std::uint32_t>(run[3]) << 16 | static_cast<std::uint32_t>(run[4]) << 24;
-}
 
 void CheckRun(std::uint64_t offset, std::uint32_t length, std::size_t codesLeft)
 {
@@ -224,7 +196,7 @@ std::vector<StreamPlace> DivideStream(
     {
       Refuse(length, "the stream ends within a run");
     }
-    const std::uint32_t run = LengthOfRun(stream + at.byte);
+    const std::uint32_t run = LittleEndian(stream + at.byte + 1);
     CheckRun(at.byte, run, count - at.code);
     at.byte += runSize;
     at.code += run;
@@ -248,7 +220,7 @@ void DecodePart(const std::uint8_t* part, std::size_t length, std::uint8_t* code
     codes += literals;
     if (at < length)
     {
-      const std::uint32_t run = LengthOfRun(part + at);
+      const std::uint32_t run = LittleEndian(part + at + 1);
       std::memset(codes, part[at], run);
       at += runSize;
       codes += run;

@@ -20,11 +20,10 @@ struct ThesisCode
   static constexpr std::uint8_t LargestCode = 80;
   static constexpr std::uint8_t NotScannedCode = 127;
 
-  /// The code of a voxel. A value that is not a number counts as not scanned.
-  static std::uint8_t Encode(float value, VoxelState state);
   /// The state that a code stands for.
   static VoxelState StateOf(std::uint8_t code);
-  /// Codes of all voxels. Throws Error when the volume has not as many values and states as voxels.
+  /// Codes of all voxels. A value that is not a number counts as not scanned. Throws Error when the
+  /// volume has not as many values and states as voxels.
   static std::vector<std::uint8_t> EncodeAll(const GriddedVolume& volume);
 };
 

@@ -3,11 +3,10 @@
 
 #include "nexrad/Geometry/Angles.h"
 #include "nexrad/Simulation/CounterNoise.h"
-#include "nexrad/Simulation/GateLayout.h"
+#include "nexrad/Simulation/StormSnapshot.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nexrad
 {
@@ -33,7 +32,6 @@ enum Draw : std::uint64_t
   Patches = 200
 };
 
-// Key of the cell that a place lies in.
 std::uint64_t CellKey(std::uint64_t key, const SeenPlace& place)
 {
   const auto azimuth = static_cast<std::uint64_t>(std::floor(place.azimuth));
@@ -192,7 +190,7 @@ bool AddedEcho::IsTestPattern(const RayPlace& place) const
 {
   const double share = Uniform(key, patternDraw + static_cast<std::uint64_t>(place.cut));
   const int first = static_cast<int>(share * (place.rays - 1));
-  return this->Adds(EchoKind::TestPattern) && place.cut % 3 == 1 &&
+  return added.count(EchoKind::TestPattern) > 0 && place.cut % 3 == 1 &&
          (place.index == first || place.index == first + 1);
 }
 

@@ -3,7 +3,7 @@
 
 #include "nexrad/Simulation/BeamTrace.h"
 #include "nexrad/Simulation/EchoKind.h"
-#include "nexrad/Simulation/GateLayout.h"
+#include "nexrad/Simulation/ScanStrategy.h"
 #include "nexrad/Simulation/StormWind.h"
 
 #include <cstdint>
@@ -89,7 +89,6 @@ public:
   AddedEcho(const std::set<EchoKind>& kinds, std::uint64_t radarKey, double beamWidth);
 
   bool Any() const { return !added.empty(); }
-  bool Adds(EchoKind kind) const { return added.count(kind) > 0; }
 
   /// Adds the echoes to a ray that the beam points along: `reflectivity` in dBZ (-infinity: none)
   /// is that of the sum of Z; `kinds` is what the strongest of a gate comes from.

@@ -3,7 +3,6 @@
 
 #include "nexrad/Geometry/Angles.h"
 #include "nexrad/Simulation/BeamTrace.h"
-#include "nexrad/Simulation/GateLayout.h"
 
 #include <algorithm>
 #include <array>
@@ -69,10 +68,8 @@ double BeamSampler::MeanStormZ(
     {
       // The two ranges take turns, like the colours of a chessboard.
       const PathPoint& point = ends[(up + side) % 2];
-      const double forward = point.groundDistance - middle;
-      const BeamTrace::StraightTrack& track = straight[side];
-      const PlanePoint place{track.start.x + forward * track.x, track.start.y + forward * track.y,
-        point.height + trace.SiteAltitude()};
+      const PlanePoint place =
+        straight[side].At(point.groundDistance - middle, point.height + trace.SiteAltitude());
       const double share = layers[up].weight * SmoothNodes[side].weight *
                            ToZ(snapshot.Reflectivity(place, candidates));
       spread.shares[up][side] = static_cast<float>(share);
@@ -199,8 +196,7 @@ void VelocitySampler::EnterBlock(int number)
   {
     part = number / blocksOfPart;
     constexpr double partLength = blocksOfPart * windBlockLength;
-    storms.FindVortices(
-      beam.Span(part * partLength, (part + 1) * partLength), StormVortex::Reach, nearby);
+    storms.FindVortices(beam.Span(part * partLength, (part + 1) * partLength), nearby);
   }
   vortices.clear();
   isClose = false;
@@ -233,7 +229,11 @@ BeamVelocity VelocitySampler::AtCentre(double range, const EchoSpread& echo) con
   WindVector wind = mean;
   if (!vortices.empty())
   {
-    storms.AddVortices(wind, beam.Place(point), vortices);
+    const PlanePoint place = beam.Place(point);
+    for (const int index : vortices)
+    {
+      storms.Vortices()[static_cast<std::size_t>(index)].AddTo(wind, place);
+    }
   }
   // What changes in the beam is the mean wind with height, and its component with the azimuth.
   const double rise = echo.width * beam.Sigma() * RadiansPerDegree * range * level;
@@ -283,8 +283,7 @@ BeamVelocity VelocitySampler::OverBeam(double range, const EchoSpread& echo) con
     std::array<PlanePoint, 3> places;
     for (std::size_t side = 0; side < places.size(); ++side)
     {
-      const BeamTrace::StraightTrack& track = straight[side];
-      places[side] = {track.start.x + forward * track.x, track.start.y + forward * track.y, height};
+      places[side] = straight[side].At(forward, height);
     }
     const std::array<WindVector, 3> winds = this->WindsAcross(places, height);
     for (std::size_t side = 0; side < winds.size(); ++side)

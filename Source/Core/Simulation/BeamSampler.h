@@ -2,7 +2,7 @@
 #pragma once
 
 #include "nexrad/Simulation/BeamTrace.h"
-#include "nexrad/Simulation/GateLayout.h"
+#include "nexrad/Simulation/ScanStrategy.h"
 #include "nexrad/Simulation/StormSnapshot.h"
 
 #include <array>
@@ -47,9 +47,6 @@ public:
 
   /// Of the gates of the last Sample; without meaning where the beam meets no echo.
   const std::vector<EchoSpread>& Spreads() const { return spreads; }
-
-  /// Middle of the beam at a slant range in m.
-  PlanePoint Centre(double range) const { return trace.Centre(range); }
 
   /// Where the beam runs.
   const BeamTrace& Trace() const { return trace; }

@@ -120,6 +120,11 @@ public:
     PlanePoint start;
     double x;
     double y;
+
+    PlanePoint At(double forward, double height) const
+    {
+      return {start.x + forward * x, start.y + forward * y, height};
+    }
   };
   /// Left of the beam, in its middle, right of it: the directions of SmoothNodes.
   using GateTracks = std::array<StraightTrack, 3>;

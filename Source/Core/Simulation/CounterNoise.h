@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 namespace nexrad
 {
@@ -20,6 +21,17 @@ inline std::uint64_t Mix(std::uint64_t value)
 inline std::uint64_t Mix(std::uint64_t key, std::uint64_t number)
 {
   return Mix(key ^ Mix(number));
+}
+
+/// Key of a name.
+inline std::uint64_t KeyOf(const std::string& name)
+{
+  std::uint64_t key = 0;
+  for (const char letter : name)
+  {
+    key = Mix(key, static_cast<unsigned char>(letter));
+  }
+  return key;
 }
 
 /// Uniform in 0…1 (1 excluded).

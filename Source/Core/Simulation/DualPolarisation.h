@@ -3,7 +3,7 @@
 
 #include "nexrad/Simulation/BeamTrace.h"
 #include "nexrad/Simulation/EchoKind.h"
-#include "nexrad/Simulation/GateLayout.h"
+#include "nexrad/Simulation/ScanStrategy.h"
 
 #include <cstdint>
 #include <vector>

@@ -66,13 +66,6 @@ double SensitivityAt(double range, const SimulatorOptions& options);
 RadarVolume ScanVolume(const StormField& field, const Site& site, int coveragePattern, Time start,
   const SimulatorOptions& options = {}, ScanTruth* truth = nullptr);
 
-/// The radial velocity in m/s, positive away from the radar, that one gate's beam meets at a time,
-/// weighted with Z, without noise and folding: what RayTruth::velocity has. The mean wind's and the
-/// storms' parts where the beam meets no echo, too. `azimuth` and `elevation` in degrees, `range`
-/// and `gateSpacing` in m, above 0. Slow: for single gates.
-double TrueRadialVelocity(const StormField& field, const Position& site, Time time, double azimuth,
-  double elevation, double range, double gateSpacing, const SimulatorOptions& options = {});
-
 /// Time from the start of one volume to the start of the next with that pattern. Throws Error for
 /// an unknown pattern.
 Duration VolumePeriod(int coveragePattern);

@@ -296,26 +296,6 @@ double FoldVelocity(double velocity, double nyquist)
   return velocity - 2.0 * nyquist * std::floor(velocity / (2.0 * nyquist) + 0.5);
 }
 
-const CoveragePattern* FindCoveragePattern(int number)
-{
-  static const std::map<int, CoveragePattern> patterns = []
-  {
-    std::map<int, CoveragePattern> result;
-    for (const auto& [key, strategy] : Strategies())
-    {
-      CoveragePattern& pattern = result[key];
-      pattern.number = key;
-      for (const ScanCut& cut : strategy)
-      {
-        pattern.cuts.push_back(cut.cut);
-      }
-    }
-    return result;
-  }();
-  const auto found = patterns.find(number);
-  return found == patterns.end() ? nullptr : &found->second;
-}
-
 std::vector<int> KnownCoveragePatterns()
 {
   std::vector<int> numbers;

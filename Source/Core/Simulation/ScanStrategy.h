@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Model/CoveragePattern.h"
-#include "nexrad/Simulation/GateLayout.h"
+#include "nexrad/Model/VolumeCuts.h"
 
 #include <cstdint>
 #include <vector>
@@ -10,10 +9,8 @@
 namespace nexrad
 {
 
-/// The coverage patterns that the simulator can scan (11, 12, 21, 31, 32, 35, 121, 212, 215), as
-/// message 5 of real files has them; nullptr for others.
-const CoveragePattern* FindCoveragePattern(int number);
-/// Their numbers, ascending.
+/// Numbers of the coverage patterns that the simulator can scan (11, 12, 21, 31, 32, 35, 121, 212,
+/// 215), ascending.
 std::vector<int> KnownCoveragePatterns();
 
 /// A cut as the simulator scans it.
@@ -28,6 +25,16 @@ struct ScanCut
 /// waveforms and azimuth rates are those of message 5 of real files, unambiguous ranges those of
 /// their rays.
 const std::vector<ScanCut>* FindScanStrategy(int pattern);
+
+/// Gates of one moment along a ray.
+struct GateLayout
+{
+  int gates = 0;
+  int firstGate = 0;   ///< m, centre
+  int gateSpacing = 0; ///< m
+
+  double Range(int gate) const { return firstGate + static_cast<double>(gateSpacing) * gate; }
+};
 
 /// Which moments a cut has, and where their gates lie, as in real files of message 1 (1 km and
 /// 250 m) or of message 31 (250 m).

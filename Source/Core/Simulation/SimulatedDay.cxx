@@ -35,18 +35,6 @@ std::string FileName(const SimulatedVolume& volume, const SimulatedDayOptions& o
   return name + (options.container == Level2Container::Gzip ? ".gz" : "");
 }
 
-// Starts are whole periods after the epoch, and a phase of the site's own: letters of its name,
-// mixed.
-Duration Phase(const std::string& name, Duration period)
-{
-  std::uint64_t key = 0;
-  for (const char letter : name)
-  {
-    key = Mix(key, static_cast<unsigned char>(letter));
-  }
-  return Duration(static_cast<std::int64_t>(Uniform(key, 0) * static_cast<double>(period.count())));
-}
-
 void AddVolumes(const SimulatedSite& site, const SimulatedDayOptions& options,
   std::vector<SimulatedVolume>& volumes)
 {
@@ -56,7 +44,9 @@ void AddVolumes(const SimulatedSite& site, const SimulatedDayOptions& options,
   volume.site = RequireSite(site.name);
   volume.coveragePattern = site.coveragePattern;
   volume.bias = site.bias;
-  const Duration phase = Phase(site.name, period);
+  // Starts are whole periods after the epoch, and a phase of the site's own.
+  const double share = Uniform(KeyOf(site.name), 0);
+  const Duration phase(static_cast<std::int64_t>(share * static_cast<double>(period.count())));
   const Duration since = options.begin.time_since_epoch() - phase;
   std::int64_t number = since / period;
   number += Duration(number * period) < since ? 1 : 0; // division rounds towards zero

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "nexrad/Geometry/Angles.h"
+
+#include <cmath>
+
 namespace nexrad
 {
 
@@ -28,9 +32,23 @@ struct Cylinder
 /// geodesics on WGS84.
 struct StormPlane
 {
-  static PlanePoint FromGeographic(double longitude, double latitude, double height);
+  static PlanePoint FromGeographic(double longitude, double latitude, double height)
+  {
+    static const double eastScale = std::cos(referenceLatitude * RadiansPerDegree);
+    return {sphereRadius * eastScale * (longitude - referenceLongitude) * RadiansPerDegree,
+      sphereRadius * (latitude - referenceLatitude) * RadiansPerDegree, height};
+  }
+
   /// m of plane a metre of true distance eastwards, at a latitude in degrees.
-  static double EastwardScale(double latitude);
+  static double EastwardScale(double latitude)
+  {
+    return std::cos(referenceLatitude * RadiansPerDegree) / std::cos(latitude * RadiansPerDegree);
+  }
+
+private:
+  static constexpr double sphereRadius = 6'371'000.0; // m
+  static constexpr double referenceLatitude = 39.0;   // degrees
+  static constexpr double referenceLongitude = -91.5; // degrees
 };
 
 } // namespace nexrad

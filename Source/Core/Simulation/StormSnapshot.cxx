@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Simulation/StormSnapshot.h"
 
-#include "nexrad/Simulation/GateLayout.h"
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nexrad
 {
@@ -213,32 +210,12 @@ double StormSnapshot::Reflectivity(
     clearAir + clearAirTexture * texture);
 }
 
-WindVector StormSnapshot::Wind(const PlanePoint& point) const
-{
-  WindVector wind = MeanWind(point.z);
-  for (const StormVortex& vortex : vortices)
-  {
-    vortex.AddTo(wind, point);
-  }
-  return wind;
-}
-
-void StormSnapshot::AddVortices(
-  WindVector& wind, const PlanePoint& point, const std::vector<int>& among) const
-{
-  for (const int index : among)
-  {
-    vortices[static_cast<std::size_t>(index)].AddTo(wind, point);
-  }
-}
-
-void StormSnapshot::FindVortices(
-  const Cylinder& within, double distance, std::vector<int>& found) const
+void StormSnapshot::FindVortices(const Cylinder& within, std::vector<int>& found) const
 {
   found.clear();
   for (std::size_t index = 0; index < vortices.size(); ++index)
   {
-    if (vortices[index].Touches(within, distance))
+    if (vortices[index].Touches(within, StormVortex::Reach))
     {
       found.push_back(static_cast<int>(index));
     }

@@ -6,12 +6,16 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace nexrad
 {
 
 constexpr double SecondsPerDay = 86'400.0;
+
+/// Reflectivity where there is no echo, dBZ.
+constexpr double NoReflectivity = -std::numeric_limits<double>::infinity();
 
 /// Weakest reflectivity that the field has; what is weaker is no echo, dBZ.
 constexpr double MinimumReflectivity = -15.0;
@@ -95,7 +99,6 @@ ElementBounds BoundsOf(const StormElement& element);
 class StormSnapshot
 {
 public:
-  StormSnapshot() = default;
   /// `seconds` after midnight UTC: the texture drifts with the storms, and repeats after a day.
   StormSnapshot(
     std::vector<StormElement> elements, std::vector<StormVortex> vortices, double seconds);
@@ -111,12 +114,8 @@ public:
   /// The same, where only these elements (of FindElements) can reach.
   double Reflectivity(const PlanePoint& point, const std::vector<int>& candidates) const;
 
-  /// The wind at a point: MeanWind and what the storms add to it.
-  WindVector Wind(const PlanePoint& point) const;
-  /// Adds to the wind at a point what these vortices (of FindVortices) add.
-  void AddVortices(WindVector& wind, const PlanePoint& point, const std::vector<int>& among) const;
-  /// Numbers of the vortices with an axis within a distance in m of a cylinder.
-  void FindVortices(const Cylinder& within, double distance, std::vector<int>& found) const;
+  /// Numbers of the vortices that reach into a cylinder.
+  void FindVortices(const Cylinder& within, std::vector<int>& found) const;
   const std::vector<StormVortex>& Vortices() const { return vortices; }
 
   /// Height above which there is no clear-air return, m.

@@ -3,8 +3,6 @@
 
 #include "nexrad/System/MessageText.h"
 
-#include "vtk_netcdf.h"
-
 #include <dlfcn.h>
 
 #include <cstdint>
@@ -43,19 +41,15 @@ void SilenceThread()
   }
 }
 
-// Of the library, which keeps state that all its files share.
-std::recursive_mutex& LibraryMutex()
-{
-  static std::recursive_mutex mutex;
-  return mutex;
-}
-
 } // namespace
 
-vtkNexradNetCDFLock::vtkNexradNetCDFLock()
-  : Lock(LibraryMutex())
+std::unique_lock<std::recursive_mutex> vtkNexradLockNetCDF()
 {
+  // The library keeps state that all its files share.
+  static std::recursive_mutex mutex;
+  std::unique_lock<std::recursive_mutex> lock(mutex);
   SilenceThread();
+  return lock;
 }
 
 vtkNexradNetCDFFile::vtkNexradNetCDFFile(const std::filesystem::path& path, std::string shown)
@@ -102,32 +96,4 @@ void vtkNexradNetCDFFile::SetText(
 {
   this->Check(
     nc_put_att_text(this->Identifier, variable, name.c_str(), text.size(), text.c_str()), name);
-}
-
-void vtkNexradNetCDFFile::SetNumbers(
-  int variable, const std::string& name, const std::vector<double>& numbers) const
-{
-  this->Check(nc_put_att_double(this->Identifier, variable, name.c_str(), NC_DOUBLE, numbers.size(),
-                numbers.data()),
-    name);
-}
-
-void vtkNexradNetCDFFile::SetBytes(
-  int variable, const std::string& name, const std::vector<signed char>& numbers) const
-{
-  this->Check(nc_put_att_schar(
-                this->Identifier, variable, name.c_str(), NC_BYTE, numbers.size(), numbers.data()),
-    name);
-}
-
-void vtkNexradNetCDFFile::SetFloat(int variable, const std::string& name, float number) const
-{
-  this->Check(
-    nc_put_att_float(this->Identifier, variable, name.c_str(), NC_FLOAT, 1, &number), name);
-}
-
-void vtkNexradNetCDFFile::SetShort(int variable, const std::string& name, short number) const
-{
-  this->Check(
-    nc_put_att_short(this->Identifier, variable, name.c_str(), NC_SHORT, 1, &number), name);
 }

@@ -6,27 +6,23 @@
 #ifndef vtkNexradNetCDFFile_h
 #define vtkNexradNetCDFFile_h
 
+#include "vtk_netcdf.h"
+
 #include <filesystem>
 #include <mutex>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 /**
  * What holds it uses the NetCDF library alone: the library may run on one thread at a time only.
  */
-class vtkNexradNetCDFLock
-{
-public:
-  vtkNexradNetCDFLock();
-
-private:
-  std::unique_lock<std::recursive_mutex> Lock;
-};
+std::unique_lock<std::recursive_mutex> vtkNexradLockNetCDF();
 
 /**
  * A NetCDF file that is being written. Whoever calls a member, the constructor and the destructor
- * among them, holds a vtkNexradNetCDFLock. All members throw nexrad::Error, naming the file, what
- * could not be done, and what the library reports.
+ * among them, holds what vtkNexradLockNetCDF gives. All members throw nexrad::Error, naming the
+ * file, what could not be done, and what the library reports.
  */
 class vtkNexradNetCDFFile
 {
@@ -55,14 +51,21 @@ public:
 
   ///@{
   /**
-   * Writes an attribute of a variable, or of the file (NC_GLOBAL).
+   * Writes an attribute of a variable, or of the file (NC_GLOBAL): a text, or numbers of type
+   * double, float, short or signed char, which the file has of the same type.
    */
   void SetText(int variable, const std::string& name, const std::string& text) const;
-  void SetNumbers(int variable, const std::string& name, const std::vector<double>& numbers) const;
-  void SetBytes(
-    int variable, const std::string& name, const std::vector<signed char>& numbers) const;
-  void SetFloat(int variable, const std::string& name, float number) const;
-  void SetShort(int variable, const std::string& name, short number) const;
+  template <class Number = double>
+  void SetNumbers(int variable, const std::string& name, const std::vector<Number>& numbers) const
+  {
+    constexpr nc_type type = std::is_same_v<Number, double>  ? NC_DOUBLE
+                             : std::is_same_v<Number, float> ? NC_FLOAT
+                             : std::is_same_v<Number, short> ? NC_SHORT
+                                                             : NC_BYTE;
+    this->Check(
+      nc_put_att(this->Identifier, variable, name.c_str(), type, numbers.size(), numbers.data()),
+      name);
+  }
   ///@}
 
 private:

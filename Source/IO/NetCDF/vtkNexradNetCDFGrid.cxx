@@ -3,8 +3,6 @@
 
 #include "vtkNexradNetCDFFile.h"
 
-#include "vtk_netcdf.h"
-
 #include <array>
 #include <charconv>
 #include <string>
@@ -144,7 +142,6 @@ std::string WellKnownText(const GridSpecification& grid)
          R"(ORDER[2]],LENGTHUNIT["metre",1]])";
 }
 
-// Writes the parameters of the projection into the grid mapping variable.
 void WriteProjection(const vtkNexradNetCDFFile& file, int variable, const GridSpecification& grid)
 {
   const bool projected = grid.axes == GridAxes::Projected;

@@ -9,8 +9,6 @@
 #include "vtkNexradNetCDFGrid.h"
 #include "vtkNexradNetCDFVoxels.h"
 
-#include "vtk_netcdf.h"
-
 #include <algorithm>
 #include <array>
 #include <fstream>
@@ -59,18 +57,90 @@ class Radars
 {
 public:
   // Defines the variables. `time` is the number of the dimension.
-  Radars(const vtkNexradNetCDFFile& file, int time);
+  Radars(const vtkNexradNetCDFFile& file, int time)
+    : File(file)
+  {
+    int radar = -1;
+    file.Check(nc_def_dim(file.Id(), "radar", NC_UNLIMITED, &radar), "radar");
+    this->NameVariable = DefineRadarVariable(file, NamesName, NC_STRING, {radar});
+    file.SetText(this->NameVariable, "long_name", "identifier of the radar");
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      this->PositionVariables[i] =
+        DefineRadarVariable(file, Coordinates[i].Name, NC_DOUBLE, {radar});
+      const int variable = this->PositionVariables[i];
+      file.SetText(variable, "standard_name", Coordinates[i].StandardName);
+      file.SetText(variable, "long_name", Coordinates[i].LongName);
+      file.SetText(variable, "units", Coordinates[i].Units);
+      file.SetNumbers(variable, "_FillValue", {std::numeric_limits<double>::quiet_NaN()});
+    }
+    file.SetText(this->PositionVariables[2], "positive", "up");
+    this->UsedVariable = DefineRadarVariable(file, UsedName, NC_BYTE, {time, radar});
+    file.SetText(this->UsedVariable, "long_name", "whether the radar's data are in the volume");
+    file.SetNumbers<signed char>(this->UsedVariable, "flag_values", {0, 1});
+    file.SetText(this->UsedVariable, "flag_meanings", "no yes");
+  }
 
   // Writes those of a volume, `index` being its place among the times. Returns the places of its
   // sites among the radars of the file.
-  std::vector<short> Add(const nexrad::GriddedVolume& volume, std::size_t index);
+  std::vector<short> Add(const nexrad::GriddedVolume& volume, std::size_t index)
+  {
+    const bool placed = volume.sitePositions.size() == volume.sites.size();
+    std::vector<short> places;
+    for (std::size_t i = 0; i < volume.sites.size(); ++i)
+    {
+      const std::string& name = volume.sites[i];
+      const auto known = std::find(this->Known.begin(), this->Known.end(), name);
+      places.push_back(static_cast<short>(known - this->Known.begin()));
+      if (known == this->Known.end())
+      {
+        const nexrad::KnownSite* listed = nexrad::FindSite(name);
+        this->AddRadar(name, placed   ? &volume.sitePositions[i]
+                             : listed ? &listed->position
+                                      : nullptr);
+        for (std::size_t before = 0; before < index; ++before)
+        {
+          this->WriteUse(before, this->Known.size() - 1, false);
+        }
+      }
+    }
+    for (std::size_t radar = 0; radar < this->Known.size(); ++radar)
+    {
+      const auto place = static_cast<short>(radar);
+      this->WriteUse(index, radar, std::find(places.begin(), places.end(), place) != places.end());
+    }
+    return places;
+  }
 
   // Of all volumes so far.
   const std::vector<std::string>& Names() const { return this->Known; }
 
 private:
-  void WriteUse(std::size_t index, std::size_t radar, bool used);
-  void AddRadar(const std::string& name, const nexrad::Position* position);
+  void AddRadar(const std::string& name, const nexrad::Position* position)
+  {
+    const std::size_t place = this->Known.size();
+    const char* text = name.c_str();
+    this->File.Check(
+      nc_put_var1_string(this->File.Id(), this->NameVariable, &place, &text), NamesName);
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    const double numbers[3] = {position ? position->latitude : unknown,
+      position ? position->longitude : unknown, position ? position->altitude : unknown};
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      this->File.Check(
+        nc_put_var1_double(this->File.Id(), this->PositionVariables[i], &place, &numbers[i]),
+        Coordinates[i].Name);
+    }
+    this->Known.push_back(name);
+  }
+
+  void WriteUse(std::size_t index, std::size_t radar, bool used)
+  {
+    const std::size_t start[2] = {index, radar};
+    const auto flag = static_cast<signed char>(used ? 1 : 0);
+    this->File.Check(
+      nc_put_var1_schar(this->File.Id(), this->UsedVariable, start, &flag), UsedName);
+  }
 
   const vtkNexradNetCDFFile& File;
   std::vector<std::string> Known;
@@ -78,83 +148,6 @@ private:
   int PositionVariables[3] = {-1, -1, -1}; // latitude, longitude, altitude
   int UsedVariable = -1;
 };
-
-Radars::Radars(const vtkNexradNetCDFFile& file, int time)
-  : File(file)
-{
-  int radar = -1;
-  file.Check(nc_def_dim(file.Id(), "radar", NC_UNLIMITED, &radar), "radar");
-  this->NameVariable = DefineRadarVariable(file, NamesName, NC_STRING, {radar});
-  file.SetText(this->NameVariable, "long_name", "identifier of the radar");
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    this->PositionVariables[i] = DefineRadarVariable(file, Coordinates[i].Name, NC_DOUBLE, {radar});
-    const int variable = this->PositionVariables[i];
-    file.SetText(variable, "standard_name", Coordinates[i].StandardName);
-    file.SetText(variable, "long_name", Coordinates[i].LongName);
-    file.SetText(variable, "units", Coordinates[i].Units);
-    file.SetNumbers(variable, "_FillValue", {std::numeric_limits<double>::quiet_NaN()});
-  }
-  file.SetText(this->PositionVariables[2], "positive", "up");
-  this->UsedVariable = DefineRadarVariable(file, UsedName, NC_BYTE, {time, radar});
-  file.SetText(this->UsedVariable, "long_name", "whether the radar's data are in the volume");
-  file.SetBytes(this->UsedVariable, "flag_values", {0, 1});
-  file.SetText(this->UsedVariable, "flag_meanings", "no yes");
-}
-
-void Radars::AddRadar(const std::string& name, const nexrad::Position* position)
-{
-  const std::size_t place = this->Known.size();
-  const char* text = name.c_str();
-  this->File.Check(
-    nc_put_var1_string(this->File.Id(), this->NameVariable, &place, &text), NamesName);
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  const double numbers[3] = {position ? position->latitude : unknown,
-    position ? position->longitude : unknown, position ? position->altitude : unknown};
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    this->File.Check(
-      nc_put_var1_double(this->File.Id(), this->PositionVariables[i], &place, &numbers[i]),
-      Coordinates[i].Name);
-  }
-  this->Known.push_back(name);
-}
-
-void Radars::WriteUse(std::size_t index, std::size_t radar, bool used)
-{
-  const std::size_t start[2] = {index, radar};
-  const auto flag = static_cast<signed char>(used ? 1 : 0);
-  this->File.Check(nc_put_var1_schar(this->File.Id(), this->UsedVariable, start, &flag), UsedName);
-}
-
-std::vector<short> Radars::Add(const nexrad::GriddedVolume& volume, std::size_t index)
-{
-  const bool placed = volume.sitePositions.size() == volume.sites.size();
-  std::vector<short> places;
-  for (std::size_t i = 0; i < volume.sites.size(); ++i)
-  {
-    const std::string& name = volume.sites[i];
-    const auto known = std::find(this->Known.begin(), this->Known.end(), name);
-    places.push_back(static_cast<short>(known - this->Known.begin()));
-    if (known == this->Known.end())
-    {
-      const nexrad::KnownSite* listed = nexrad::FindSite(name);
-      this->AddRadar(name, placed   ? &volume.sitePositions[i]
-                           : listed ? &listed->position
-                                    : nullptr);
-      for (std::size_t before = 0; before < index; ++before)
-      {
-        this->WriteUse(before, this->Known.size() - 1, false);
-      }
-    }
-  }
-  for (std::size_t radar = 0; radar < this->Known.size(); ++radar)
-  {
-    const auto place = static_cast<short>(radar);
-    this->WriteUse(index, radar, std::find(places.begin(), places.end(), place) != places.end());
-  }
-  return places;
-}
 
 // Of this layout of NetCDF files, in the attribute of that name.
 constexpr int Version = 1;
@@ -340,25 +333,25 @@ private:
 
 vtkNexradNetCDFOutput::vtkNexradNetCDFOutput(const fs::path& path, const std::string& history)
 {
-  const vtkNexradNetCDFLock lock;
+  const auto lock = vtkNexradLockNetCDF();
   this->File = std::make_unique<Parts>(path, history);
 }
 
 vtkNexradNetCDFOutput::~vtkNexradNetCDFOutput()
 {
-  const vtkNexradNetCDFLock lock;
+  const auto lock = vtkNexradLockNetCDF();
   this->File.reset();
 }
 
 void vtkNexradNetCDFOutput::Add(const nexrad::GriddedVolume& volume)
 {
-  const vtkNexradNetCDFLock lock;
+  const auto lock = vtkNexradLockNetCDF();
   this->File->Add(volume);
 }
 
 void vtkNexradNetCDFOutput::Commit()
 {
-  const vtkNexradNetCDFLock lock;
+  const auto lock = vtkNexradLockNetCDF();
   this->File->Commit();
 }
 

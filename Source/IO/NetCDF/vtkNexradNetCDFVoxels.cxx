@@ -2,11 +2,9 @@
 #include "vtkNexradNetCDFVoxels.h"
 
 #include "nexrad/Grid/GriddedVolume.h"
-#include "nexrad/Grid/RadarView.h"
+#include "nexrad/Grid/SiteGeometry.h"
 #include "vtkNexradNetCDFFile.h"
 #include "vtkNexradThreads.h"
-
-#include "vtk_netcdf.h"
 
 #include <algorithm>
 #include <array>
@@ -71,10 +69,12 @@ constexpr AncillaryTerms AllAncillaryTerms[] = {
   {"weight", "sum of the weights of the radars that scanned the voxel", "1"},
   {"site", "nearest radar that scanned the voxel: its place along the dimension radar", nullptr}};
 
-const AncillaryTerms& TermsOf(const std::string& name)
+// The row of a table of terms that has the name.
+template <class Terms, std::size_t Count>
+const Terms& RowOf(const Terms (&table)[Count], const std::string& name)
 {
-  return *std::find_if(std::begin(AllAncillaryTerms), std::end(AllAncillaryTerms) - 1,
-    [&name](const AncillaryTerms& terms) { return name == terms.Name; });
+  return *std::find_if(std::begin(table), std::end(table) - 1,
+    [&name](const Terms& terms) { return name == terms.Name; });
 }
 
 // Whole layers of about a MiB, so that a layer is read without the others.
@@ -107,12 +107,6 @@ constexpr ViewTerms AllViewTerms[] = {
   {"azimuth", "azimuth from the radar, clockwise from north", "degree", 180.0F, 0.01F},
   {"elevation", "elevation angle of the beam through the voxel", "degree", 0.0F, 0.01F},
   {"slant_range", "distance from the radar along the beam", "m", 0.0F, 10.0F}};
-
-const ViewTerms& ViewTermsOf(const std::string& name)
-{
-  return *std::find_if(std::begin(AllViewTerms), std::end(AllViewTerms) - 1,
-    [&name](const ViewTerms& terms) { return name == terms.Name; });
-}
 
 // The first of 1, 2, 4, … times the scale with which all values have a code.
 float ScaleFor(const ViewTerms& terms, const std::vector<float>& values)
@@ -183,13 +177,13 @@ void vtkNexradNetCDFVoxels::DefineView(const GriddedVolume& volume)
     nexrad::MakeRadarView(volume.grid, volume.sitePositions.front(), vtkNexradRangeLoop());
   const auto define = [this](const char* name, const std::vector<float>& values)
   {
-    const ViewTerms& terms = ViewTermsOf(name);
+    const ViewTerms& terms = RowOf(AllViewTerms, name);
     const int variable = this->DefineVariable(name, NC_SHORT, RowsOf(this->Shape, sizeof(short)));
     const float scale = ScaleFor(terms, values);
     this->File.SetText(variable, "long_name", terms.LongName);
     this->File.SetText(variable, "units", terms.Units);
-    this->File.SetFloat(variable, "scale_factor", scale);
-    this->File.SetFloat(variable, "add_offset", terms.Offset);
+    this->File.SetNumbers<float>(variable, "scale_factor", {scale});
+    this->File.SetNumbers<float>(variable, "add_offset", {terms.Offset});
     std::vector<short>& codes = this->View[variable];
     for (const float value : values)
     {
@@ -240,7 +234,7 @@ void vtkNexradNetCDFVoxels::DefineAncillary(const GriddedVolume& moment, std::st
       return;
     }
     const std::string full = nexrad::AncillaryArrayName(moment.moment, name);
-    const AncillaryTerms& terms = TermsOf(name);
+    const AncillaryTerms& terms = RowOf(AllAncillaryTerms, name);
     const bool real = sizeof(values[0]) == sizeof(float);
     const int variable =
       this->DefineVariable(full, real ? NC_FLOAT : NC_SHORT, LayersOf(this->Shape, real ? 4 : 2));
@@ -251,11 +245,11 @@ void vtkNexradNetCDFVoxels::DefineAncillary(const GriddedVolume& moment, std::st
     }
     if (real)
     {
-      this->File.SetFloat(variable, "_FillValue", NoValue);
+      this->File.SetNumbers<float>(variable, "_FillValue", {NoValue});
     }
     else
     {
-      this->File.SetShort(variable, "_FillValue", NoRadar);
+      this->File.SetNumbers<short>(variable, "_FillValue", {NoRadar});
     }
     names += ' ' + full;
   };
@@ -279,11 +273,11 @@ void vtkNexradNetCDFVoxels::Define(const GriddedVolume& moment)
   this->File.SetText(values, "long_name", nexrad::TitleOf(moment.moment));
   this->File.SetText(values, "units", UnitsOf(moment.moment));
   this->File.SetText(values, "ancillary_variables", others);
-  this->File.SetFloat(values, "_FillValue", NoValue);
-  this->File.SetFloat(values, FillName, moment.fill);
+  this->File.SetNumbers<float>(values, "_FillValue", {NoValue});
+  this->File.SetNumbers<float>(values, FillName, {moment.fill});
   this->File.SetText(
     states, "long_name", std::string("state of ") + nexrad::TitleOf(moment.moment));
-  this->File.SetBytes(states, "flag_values", {0, 1, 2, 3, 4});
+  this->File.SetNumbers<signed char>(states, "flag_values", {0, 1, 2, 3, 4});
   this->File.SetText(states, "flag_meanings", StateMeanings);
 }
 
@@ -365,9 +359,7 @@ void vtkNexradNetCDFVoxels::NameRadars(const std::vector<std::string>& names) co
                         name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
     if (radars && !numbers.empty())
     {
-      this->File.Check(nc_put_att_short(this->File.Id(), variable, "flag_values", NC_SHORT,
-                         numbers.size(), numbers.data()),
-        name);
+      this->File.SetNumbers(variable, "flag_values", numbers);
       this->File.SetText(variable, "flag_meanings", meanings);
     }
   }

@@ -18,8 +18,9 @@
 /**
  * Adds an array of one tuple that holds the values.
  */
-template <class Array, class Value>
-void vtkNexradAddValues(vtkFieldData* field, const char* name, const std::vector<Value>& values)
+template <class Array>
+void vtkNexradAddValues(
+  vtkFieldData* field, const char* name, const std::vector<typename Array::ValueType>& values)
 {
   vtkNew<Array> array;
   array->SetName(name);

@@ -2,7 +2,7 @@
 #include "vtkNexradPipeline.h"
 
 #include "nexrad/Archives/StoredFiles.h"
-#include "nexrad/Grid/VoxelBlock.h"
+#include "nexrad/Grid/GridSpecification.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
@@ -25,7 +25,9 @@
 namespace
 {
 
-// The overload for int is the better match; it exists only where vtkAlgorithm has CheckAbort.
+// Whether the algorithm was asked to stop: CheckAbort where VTK has it (which also looks at the
+// algorithms downstream), else AbortExecute. The overload for int is the better match; it exists
+// only where vtkAlgorithm has CheckAbort.
 template <class Algorithm>
 auto ShouldAbort(Algorithm* algorithm, int) -> decltype(algorithm->CheckAbort())
 {
@@ -57,11 +59,6 @@ public:
 
 } // namespace
 
-bool vtkNexradShouldAbort(vtkAlgorithm* algorithm)
-{
-  return ShouldAbort(algorithm, 0);
-}
-
 void vtkNexradForgetAbort(vtkAlgorithm* algorithm)
 {
   algorithm->AbortExecute = 0;
@@ -78,7 +75,7 @@ std::function<bool(double)> vtkNexradProgress(vtkAlgorithm* algorithm, double fr
       next = progress + 1.0 / stepsInARun;
       algorithm->UpdateProgress(progress);
     }
-    return !vtkNexradShouldAbort(algorithm);
+    return !ShouldAbort(algorithm, 0);
   };
 }
 
@@ -92,6 +89,13 @@ int vtkNexradFail(vtkAlgorithm* algorithm, const std::string& line)
   }
   vtkErrorWithObjectMacro(algorithm, << line);
   return 0;
+}
+
+void vtkNexradOfferTimes(vtkInformation* outputInformation, const double* times, int count)
+{
+  const double range[2] = {times[0], times[count - 1]};
+  outputInformation->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times, count);
+  outputInformation->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
 }
 
 double vtkNexradRequestedTime(vtkInformation* outputInformation, double firstTimeStep)
@@ -138,15 +142,13 @@ std::string vtkNexradPathErrorText(unsigned long code, const char* path)
   }
 }
 
-void vtkNexradOfferExtent(vtkInformation* outputInformation, const int dimensions[3])
+void vtkNexradOfferGrid(vtkInformation* outputInformation, const nexrad::GridSpecification& grid)
 {
-  int extent[6];
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    extent[2 * axis] = 0;
-    extent[2 * axis + 1] = std::max(0, dimensions[axis] - 1);
-  }
+  const auto& [x, y, z] = grid.dimensions;
+  const int extent[6] = {0, x - 1, 0, y - 1, 0, z - 1};
   outputInformation->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  outputInformation->Set(vtkDataObject::ORIGIN(), grid.origin.data(), 3);
+  outputInformation->Set(vtkDataObject::SPACING(), grid.spacing.data(), 3);
   outputInformation->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
 }
 

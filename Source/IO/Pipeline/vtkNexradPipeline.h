@@ -24,12 +24,6 @@ struct VoxelBlock;
 } // namespace nexrad
 
 /**
- * Whether the algorithm was asked to stop: CheckAbort where VTK has it (which also looks at the
- * algorithms downstream), else AbortExecute.
- */
-VTKNEXRADIO_EXPORT bool vtkNexradShouldAbort(vtkAlgorithm* algorithm);
-
-/**
  * For the beginning of a run: forgets that an earlier one was asked to stop. VTK's executive does
  * so itself up to 9.1.
  */
@@ -49,6 +43,12 @@ VTKNEXRADIO_EXPORT std::function<bool(double)> vtkNexradProgress(
  * algorithm returned failure or gave no extent. Returns 0, which a request returns when it fails.
  */
 VTKNEXRADIO_EXPORT int vtkNexradFail(vtkAlgorithm* algorithm, const std::string& line);
+
+/**
+ * Says in an output's information which time steps there are, at least one, ascending.
+ */
+VTKNEXRADIO_EXPORT void vtkNexradOfferTimes(
+  vtkInformation* outputInformation, const double* times, int count);
 
 /**
  * The time that a request asks for. Where it asks for none, or for one more than a day before the
@@ -74,11 +74,11 @@ VTKNEXRADIO_EXPORT std::string vtkNexradPathErrorText(unsigned long code, const 
 // its extent says which part it is.
 
 /**
- * Says in an output's information that there are so many voxels along each axis, of which any box
- * can be asked for.
+ * Says in an output's information that it is an image of this grid, of which any box of voxels can
+ * be asked for.
  */
-VTKNEXRADIO_EXPORT void vtkNexradOfferExtent(
-  vtkInformation* outputInformation, const int dimensions[3]);
+VTKNEXRADIO_EXPORT void vtkNexradOfferGrid(
+  vtkInformation* outputInformation, const nexrad::GridSpecification& grid);
 
 /**
  * The voxels of the grid that a request asks for: all where it does not say it; it may be none.

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradImageConversion.h"
 
-#include "nexrad/Codec/CodedVolume.h"
-#include "nexrad/Grid/RadarView.h"
-#include "nexrad/Grid/VolumeMoments.h"
+#include "nexrad/Codec/NxvReader.h"
+#include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/Grid/SiteGeometry.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradFieldData.h"
 #include "vtkNexradThreads.h"
+#include "vtkNexradVoxels.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
@@ -15,6 +16,7 @@
 #include "vtkMatrix3x3.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkTypeTraits.h"
 #include "vtkUnsignedCharArray.h"
@@ -25,12 +27,15 @@
 #include <cstdint>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace
 {
+
+constexpr vtkIdType VoxelsAtOnce = vtkIdType(1) << 18; // on one of several threads
 
 // The arrays of a merged volume, whose range is found fast: without infinite values, of one
 // component. ParaView asks twice for the range of each array whenever it gets another volume. VTK's
@@ -56,19 +61,17 @@ private:
   // As VTK's loop: of an array without a number, the largest and the least that VTK knows.
   bool FindRange(double* range)
   {
-    constexpr vtkIdType stretch = vtkIdType(1) << 18;
     const vtkIdType count = this->GetNumberOfTuples();
     const ValueType* const values = this->GetPointer(0);
     ValueType least = vtkTypeTraits<ValueType>::Max();
     ValueType most = vtkTypeTraits<ValueType>::Min();
     std::mutex mutex;
-    vtkNexradRangeLoop()(static_cast<int>((count + stretch - 1) / stretch),
-      [&](int first, int last)
+    vtkSMPTools::For(0, count, VoxelsAtOnce,
+      [&](vtkIdType begin, vtkIdType end)
       {
         ValueType low = vtkTypeTraits<ValueType>::Max();
         ValueType high = vtkTypeTraits<ValueType>::Min();
-        const vtkIdType end = std::min(count, last * stretch);
-        for (vtkIdType i = first * stretch; i < end; ++i)
+        for (vtkIdType i = begin; i < end; ++i)
         {
           // What is not a number compares as neither.
           low = values[i] < low ? values[i] : low;
@@ -89,7 +92,6 @@ std::string StateName(nexrad::MomentName moment)
   return std::string(nexrad::ToString(moment)) + "_state";
 }
 
-// Of the sites, where they are known.
 void AddPositions(const std::vector<nexrad::Position>& positions, vtkFieldData* field)
 {
   if (positions.empty())
@@ -124,25 +126,23 @@ std::vector<nexrad::Position> TakePositions(vtkFieldData* field, std::size_t sit
 
 void AddFieldData(const nexrad::GriddedVolume& volume, vtkFieldData* field)
 {
-  vtkNexradAddValues<vtkFloatArray, float>(field, "FillValue", {volume.fill});
+  vtkNexradAddValues<vtkFloatArray>(field, "FillValue", {volume.fill});
   vtkNexradAddTexts(field, "Projection", {volume.grid.Projection()});
-  vtkNexradAddValues<vtkDoubleArray, double>(
+  vtkNexradAddValues<vtkDoubleArray>(
     field, "ProjectionCenter", {volume.grid.centreLatitude, volume.grid.centreLongitude});
-  vtkNexradAddValues<vtkDoubleArray, double>(field, "TimeValue", {nexrad::ToSeconds(volume.time)});
+  vtkNexradAddValues<vtkDoubleArray>(field, "TimeValue", {nexrad::ToSeconds(volume.time)});
   vtkNexradAddTexts(field, "Sites", volume.sites);
   AddPositions(volume.sitePositions, field);
   vtkNexradAddTexts(field, "Method", {volume.method});
   if (volume.ofOneRadar)
   {
-    vtkNexradAddValues<vtkUnsignedCharArray, unsigned char>(field, "OneRadar", {1});
+    vtkNexradAddValues<vtkUnsignedCharArray>(field, "OneRadar", {1});
   }
-  vtkNexradAddValues<vtkUnsignedCharArray, unsigned char>(
-    field, "Synthetic", {static_cast<unsigned char>(volume.synthetic ? 1 : 0)});
-  vtkNexradAddValues<vtkUnsignedCharArray, unsigned char>(
-    field, "Sharpened", {static_cast<unsigned char>(volume.sharpened ? 1 : 0)});
+  vtkNexradAddValues<vtkUnsignedCharArray>(field, "Synthetic", {volume.synthetic});
+  vtkNexradAddValues<vtkUnsignedCharArray>(field, "Sharpened", {volume.sharpened});
   if (volume.biologicalShare > 0.0F)
   {
-    vtkNexradAddValues<vtkFloatArray, float>(field, "BiologicalShare", {volume.biologicalShare});
+    vtkNexradAddValues<vtkFloatArray>(field, "BiologicalShare", {volume.biologicalShare});
   }
   if (!volume.notes.empty())
   {
@@ -150,7 +150,6 @@ void AddFieldData(const nexrad::GriddedVolume& volume, vtkFieldData* field)
   }
 }
 
-// Of a voxel with that state.
 unsigned char GhostTypeOf(nexrad::VoxelState state, nexrad::MomentName moment)
 {
   return static_cast<unsigned char>(
@@ -183,19 +182,6 @@ struct VoxelArrays
   }
 };
 
-// Calls fill(begin, end) for stretches of so many voxels, on several threads.
-template <class Function>
-void FillStretches(std::size_t count, const Function& fill)
-{
-  constexpr std::size_t stretch = std::size_t(1) << 18;
-  vtkNexradRangeLoop()(static_cast<int>((count + stretch - 1) / stretch),
-    [&](int first, int last)
-    {
-      fill(static_cast<std::size_t>(first) * stretch,
-        std::min(count, static_cast<std::size_t>(last) * stretch));
-    });
-}
-
 void Fill(const VoxelArrays& arrays, const nexrad::GriddedVolume& volume)
 {
   std::array<unsigned char, nexrad::VoxelStateCount> ghostOf{};
@@ -206,10 +192,10 @@ void Fill(const VoxelArrays& arrays, const nexrad::GriddedVolume& volume)
   float* const values = arrays.Values->GetPointer(0);
   unsigned char* const states = arrays.States->GetPointer(0);
   unsigned char* const ghosts = arrays.Ghosts->GetPointer(0);
-  FillStretches(volume.values.size(),
-    [&](std::size_t begin, std::size_t end)
+  vtkSMPTools::For(0, arrays.Values->GetNumberOfValues(), VoxelsAtOnce,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      for (std::size_t i = begin; i < end; ++i)
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
       {
         values[i] = volume.values[i];
         states[i] = static_cast<unsigned char>(volume.states[i]);
@@ -255,7 +241,6 @@ ByteOfCode GhostTypesOf(const nexrad::VoxelCodes& meaning, nexrad::MomentName mo
   return ghosts;
 }
 
-// Expands codes to values, states and ghost types, on several threads.
 void Expand(const nexrad::CodedVolume& coded, const VoxelArrays& arrays)
 {
   const ByteOfCode stateOf = StatesOf(coded.meaning);
@@ -263,10 +248,10 @@ void Expand(const nexrad::CodedVolume& coded, const VoxelArrays& arrays)
   float* const values = arrays.Values->GetPointer(0);
   unsigned char* const states = arrays.States->GetPointer(0);
   unsigned char* const ghosts = arrays.Ghosts->GetPointer(0);
-  FillStretches(coded.volume.grid.VoxelCount(),
-    [&](std::size_t begin, std::size_t end)
+  vtkSMPTools::For(0, arrays.Values->GetNumberOfValues(), VoxelsAtOnce,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      for (std::size_t i = begin; i < end; ++i)
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
       {
         const std::uint8_t code = coded.codes[i];
         values[i] = coded.meaning.values[code];
@@ -281,52 +266,43 @@ std::string CodeTableName(nexrad::MomentName moment, const char* column)
   return std::string(nexrad::ToString(moment)) + "_code_" + column;
 }
 
-// One value for each code.
-template <class Array, class Table>
-void AddCodeTable(vtkFieldData* field, const std::string& name, const Table& table)
+template <class Array, class Values>
+vtkSmartPointer<Array> MakeArray(const std::string& name, const Values& values)
 {
-  vtkNew<Array> array;
+  auto array = vtkSmartPointer<Array>::New();
   array->SetName(name.c_str());
-  array->SetNumberOfTuples(static_cast<vtkIdType>(table.size()));
-  std::copy(table.begin(), table.end(), array->GetPointer(0));
-  field->AddArray(array);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  return array;
 }
 
-/// The VTK array for a vector of values.
-template <class Value>
-using ArrayOf = std::conditional_t<sizeof(Value) == 1, vtkUnsignedCharArray, vtkFloatArray>;
 template <class Values>
-using ArrayFor = ArrayOf<typename std::decay_t<Values>::value_type>;
+using ArrayFor = std::conditional_t<sizeof(typename std::decay_t<Values>::value_type) == 1,
+  vtkUnsignedCharArray, vtkFloatArray>;
 
 void AddAncillary(const nexrad::GriddedVolume& volume, vtkPointData* points)
 {
   const auto add = [&](const char* name, const auto& values)
   {
-    if (values.empty())
+    if (!values.empty())
     {
-      return;
+      points->AddArray(MakeArray<VoxelArray<ArrayFor<decltype(values)>>>(
+        nexrad::AncillaryArrayName(volume.moment, name), values));
     }
-    vtkNew<VoxelArray<ArrayFor<decltype(values)>>> array;
-    array->SetName(nexrad::AncillaryArrayName(volume.moment, name).c_str());
-    array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
-    std::copy(values.begin(), values.end(), array->GetPointer(0));
-    points->AddArray(array);
   };
   nexrad::ForEachAncillaryArray(volume.ancillary, add);
 }
 
 // The moment of the active scalars, or the first that the image has.
-nexrad::MomentName FindMoment(vtkPointData* points)
+nexrad::MomentName FindMoment(vtkImageData* image)
 {
-  vtkDataArray* scalars = points->GetScalars();
-  const char* name = scalars ? scalars->GetName() : nullptr;
-  if (const auto active = nexrad::ParseMomentName(name ? name : ""))
+  if (const auto active = nexrad::ParseMomentName(vtkNexradScalarsName(image)))
   {
     return *active;
   }
   for (const nexrad::MomentName moment : nexrad::KnownMoments)
   {
-    if (points->GetArray(nexrad::ToString(moment)))
+    if (image->GetPointData()->GetArray(nexrad::ToString(moment)))
     {
       return moment;
     }
@@ -393,17 +369,14 @@ void TakeCodes(vtkUnsignedCharArray* codes, vtkImageData* image, nexrad::Gridded
 
 void TakeValues(vtkImageData* image, nexrad::GriddedVolume& volume)
 {
+  const std::string stateName = StateName(volume.moment);
   auto* values = RequireArray<vtkFloatArray>(image, nexrad::ToString(volume.moment));
-  auto* states = RequireArray<vtkUnsignedCharArray>(image, StateName(volume.moment));
+  const unsigned char* states = RequireArray<vtkUnsignedCharArray>(image, stateName)->GetPointer(0);
   volume.values.assign(values->GetPointer(0), values->GetPointer(0) + values->GetNumberOfTuples());
   volume.states.reserve(volume.values.size());
-  const std::string name = StateName(volume.moment);
-  for (vtkIdType i = 0; i < states->GetNumberOfTuples(); ++i)
-  {
-    volume.states.push_back(ToState(states->GetValue(i), name));
-  }
   for (std::size_t i = 0; i < volume.values.size(); ++i)
   {
+    volume.states.push_back(ToState(states[i], stateName));
     const bool isEcho = volume.states[i] == nexrad::VoxelState::Echo;
     volume.values[i] = !isEcho && std::isnan(volume.values[i]) ? volume.fill : volume.values[i];
   }
@@ -460,15 +433,50 @@ nexrad::GriddedVolume TakeMoment(
   return volume;
 }
 
-} // namespace
-
-void vtkNexradGridToImage(const nexrad::GridSpecification& grid, vtkImageData* image)
+// Sets extent, origin and spacing of the image, without arrays.
+void SetGrid(const nexrad::GridSpecification& grid, vtkImageData* image)
 {
   image->Initialize();
   image->SetDimensions(grid.dimensions.data());
   image->SetOrigin(grid.origin.data());
   image->SetSpacing(grid.spacing.data());
 }
+
+// The image of values, which are expanded of the codes.
+void CodesToValues(const nexrad::CodedVolume& coded, vtkImageData* image)
+{
+  const nexrad::GriddedVolume& volume = coded.volume;
+  SetGrid(volume.grid, image);
+  const VoxelArrays arrays(volume.moment, image->GetNumberOfPoints());
+  Expand(coded, arrays);
+  arrays.AddTo(image->GetPointData());
+  AddAncillary(volume, image->GetPointData());
+  AddFieldData(volume, image->GetFieldData());
+}
+
+// The image of the codes as they are. It takes them over.
+void CodesToImage(nexrad::CodedVolume& coded, vtkImageData* image)
+{
+  const nexrad::GriddedVolume& volume = coded.volume;
+  SetGrid(volume.grid, image);
+  vtkNew<vtkUnsignedCharArray> codes;
+  codes->SetName(nexrad::ToString(volume.moment));
+  codes->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), nexrad::UnitOf(volume.moment));
+  codes->SetArray(coded.codes.release(), image->GetNumberOfPoints(), 0,
+    vtkUnsignedCharArray::VTK_DATA_ARRAY_DELETE);
+  image->GetPointData()->SetScalars(codes);
+  AddAncillary(volume, image->GetPointData());
+  vtkFieldData* field = image->GetFieldData();
+  AddFieldData(volume, field);
+  field->AddArray(
+    MakeArray<vtkFloatArray>(CodeTableName(volume.moment, "values"), coded.meaning.values));
+  field->AddArray(MakeArray<vtkUnsignedCharArray>(
+    CodeTableName(volume.moment, "states"), StatesOf(coded.meaning)));
+  field->AddArray(MakeArray<vtkUnsignedCharArray>(
+    CodeTableName(volume.moment, "ghosts"), GhostTypesOf(coded.meaning, volume.moment)));
+}
+
+} // namespace
 
 nexrad::GridSpecification vtkNexradImageToGrid(vtkImageData* image)
 {
@@ -504,7 +512,7 @@ bool vtkNexradIsHidden(nexrad::MomentName moment, nexrad::VoxelState state)
 
 void vtkNexradVolumeToImage(const nexrad::GriddedVolume& volume, vtkImageData* image)
 {
-  vtkNexradGridToImage(volume.grid, image);
+  SetGrid(volume.grid, image);
   const VoxelArrays arrays(volume.moment, image->GetNumberOfPoints());
   Fill(arrays, volume);
   arrays.AddTo(image->GetPointData());
@@ -533,10 +541,7 @@ void vtkNexradAddRadarView(vtkImageData* image, const std::vector<std::string>& 
     {
       return;
     }
-    vtkNew<VoxelArray<vtkFloatArray>> array;
-    array->SetName(name);
-    array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
-    std::copy(values.begin(), values.end(), array->GetPointer(0));
+    const auto array = MakeArray<VoxelArray<vtkFloatArray>>(name, values);
     const bool distance = name == std::string("slant_range");
     array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), distance ? "m" : "degrees");
     image->GetPointData()->AddArray(array);
@@ -544,35 +549,26 @@ void vtkNexradAddRadarView(vtkImageData* image, const std::vector<std::string>& 
   nexrad::ForEachArray(view, add);
 }
 
-void vtkNexradCodesToValues(const nexrad::CodedVolume& coded, vtkImageData* image)
+void vtkNexradReadVolumeFile(
+  const std::string& path, const nexrad::NxvReadOptions& options, bool codes, vtkImageData* image)
 {
-  const nexrad::GriddedVolume& volume = coded.volume;
-  vtkNexradGridToImage(volume.grid, image);
-  const VoxelArrays arrays(volume.moment, image->GetNumberOfPoints());
-  Expand(coded, arrays);
-  arrays.AddTo(image->GetPointData());
-  AddAncillary(volume, image->GetPointData());
-  AddFieldData(volume, image->GetFieldData());
-}
-
-void vtkNexradCodesToImage(nexrad::CodedVolume& coded, vtkImageData* image)
-{
-  const nexrad::GriddedVolume& volume = coded.volume;
-  vtkNexradGridToImage(volume.grid, image);
-  vtkNew<vtkUnsignedCharArray> codes;
-  codes->SetName(nexrad::ToString(volume.moment));
-  codes->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), nexrad::UnitOf(volume.moment));
-  codes->SetArray(coded.codes.release(), image->GetNumberOfPoints(), 0,
-    vtkUnsignedCharArray::VTK_DATA_ARRAY_DELETE);
-  image->GetPointData()->SetScalars(codes);
-  AddAncillary(volume, image->GetPointData());
-  vtkFieldData* field = image->GetFieldData();
-  AddFieldData(volume, field);
-  AddCodeTable<vtkFloatArray>(field, CodeTableName(volume.moment, "values"), coded.meaning.values);
-  AddCodeTable<vtkUnsignedCharArray>(
-    field, CodeTableName(volume.moment, "states"), StatesOf(coded.meaning));
-  AddCodeTable<vtkUnsignedCharArray>(
-    field, CodeTableName(volume.moment, "ghosts"), GhostTypesOf(coded.meaning, volume.moment));
+  constexpr std::size_t ofImage = 6; // bytes of a voxel: value, state, ghost type
+  nexrad::NxvReadOptions reading = options;
+  reading.bytesBesides += ofImage;
+  reading.loop = vtkNexradRangeLoop();
+  std::optional<nexrad::CodedVolume> coded = nexrad::ReadNxvCodes(path, reading, !codes);
+  if (!coded)
+  {
+    vtkNexradVolumeToImage(nexrad::ReadNxv(path, reading), image);
+  }
+  else if (codes)
+  {
+    CodesToImage(*coded, image);
+  }
+  else
+  {
+    CodesToValues(*coded, image);
+  }
 }
 
 nexrad::GriddedVolume vtkNexradImageToVolume(vtkImageData* image)
@@ -580,7 +576,7 @@ nexrad::GriddedVolume vtkNexradImageToVolume(vtkImageData* image)
   nexrad::GriddedVolume volume;
   volume.grid = vtkNexradImageToGrid(image);
   TakeFieldData(image->GetFieldData(), volume);
-  const nexrad::MomentName first = FindMoment(image->GetPointData());
+  const nexrad::MomentName first = FindMoment(image);
   std::vector<nexrad::GriddedVolume> moments = {TakeMoment(image, first, volume)};
   for (int i = 0; i < image->GetPointData()->GetNumberOfArrays(); ++i)
   {

@@ -31,8 +31,8 @@
  * - `elevation`, float32: degrees above the horizon, of the beam through the voxel.
  * - `slant_range`, float32: m along the beam.
  *
- * With codes (vtkNexradCodesToImage), the image has less point data, and what they stand for in its
- * field data:
+ * With codes (vtkNexradReadVolumeFile), the image has less point data, and what they stand for in
+ * its field data:
  *
  * - `REF`, uint8, the active scalars: codes, as the file has them; no `REF_state`, no
  *   `vtkGhostType`. Range folded and filtered have the code of no echo.
@@ -73,24 +73,12 @@ class vtkImageData;
 
 namespace nexrad
 {
-struct CodedVolume;
 enum class MomentName : unsigned char;
 enum class VoxelState : unsigned char;
 struct GriddedVolume;
 struct GridSpecification;
+struct NxvReadOptions;
 } // namespace nexrad
-
-/**
- * Bytes that a voxel takes in the image of a moment without ancillary arrays: value, state, ghost
- * type.
- */
-constexpr unsigned vtkNexradImageBytesPerVoxel = 6;
-
-/**
- * Sets extent, origin and spacing of the image, without arrays.
- */
-VTKNEXRADIO_EXPORT void vtkNexradGridToImage(
-  const nexrad::GridSpecification& grid, vtkImageData* image);
 
 /**
  * The grid of an image, from its extent, origin, spacing and field data. Throws nexrad::Error for
@@ -117,16 +105,13 @@ VTKNEXRADIO_EXPORT void vtkNexradAddRadarView(
   vtkImageData* image, const std::vector<std::string>& leaveOut = {});
 
 /**
- * The same as vtkNexradVolumeToImage from codes, which are expanded to values, states and ghost
- * types.
+ * Fills the image with voxels of a .nxv file, unpacked on several threads; of a block, the image is
+ * one of it alone. With `codes` the scalars are codes where one moment is read and the file has
+ * codes of one byte of it. The options' `bytesBesides` are what the caller makes of each voxel of
+ * the image. Throws nexrad::Error as nexrad::ReadNxv does.
  */
-VTKNEXRADIO_EXPORT void vtkNexradCodesToValues(
-  const nexrad::CodedVolume& coded, vtkImageData* image);
-
-/**
- * Fills the image with the codes as they are. The image takes them over.
- */
-VTKNEXRADIO_EXPORT void vtkNexradCodesToImage(nexrad::CodedVolume& coded, vtkImageData* image);
+VTKNEXRADIO_EXPORT void vtkNexradReadVolumeFile(
+  const std::string& path, const nexrad::NxvReadOptions& options, bool codes, vtkImageData* image);
 
 /**
  * The volume in an image that has the arrays above, of values or of codes; its first moment is that

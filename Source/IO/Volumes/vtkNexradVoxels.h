@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file   vtkNexradVoxels.h
- * @brief  values and states of a moment, in an image of values or of codes
+ * @brief  which arrays an image has, and values and states of a moment, in values or in codes
  *
  * The arrays are those of vtkNexradImageConversion.h.
  */
 #ifndef vtkNexradVoxels_h
 #define vtkNexradVoxels_h
 
-#include "nexrad/Codec/CodedVolume.h"
+#include "nexrad/Codec/MomentCode.h"
 #include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/System/Error.h"
 
@@ -30,6 +30,38 @@ auto* vtkNexradFindValues(vtkFieldData* data, const std::string& name, vtkIdType
   const bool fits =
     array != nullptr && array->GetNumberOfComponents() == 1 && array->GetNumberOfTuples() >= count;
   return fits ? array->GetPointer(0) : nullptr;
+}
+
+/// Name of the active scalars, as "REF"; empty where they have none, and where there are no
+/// scalars.
+inline std::string vtkNexradScalarsName(vtkImageData* image)
+{
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  return scalars != nullptr && scalars->GetName() != nullptr ? scalars->GetName() : "";
+}
+
+/// The moment of the active scalars. Throws nexrad::Error where they are of none.
+inline nexrad::MomentName vtkNexradScalarsMoment(vtkImageData* image)
+{
+  const std::string name = vtkNexradScalarsName(image);
+  const auto moment = nexrad::ParseMomentName(name);
+  if (!moment)
+  {
+    throw nexrad::Error("the volume's active scalars are no radar moment: '" + name + "'");
+  }
+  return *moment;
+}
+
+/// What each code of an array stands for, 256 numbers of any type; nullptr where the array has no
+/// codes.
+inline vtkDataArray* vtkNexradFindCodeValues(vtkImageData* image, const std::string& name)
+{
+  vtkDataArray* values = image->GetFieldData()->GetArray((name + "_code_values").c_str());
+  vtkDataArray* codes = image->GetPointData()->GetArray(name.c_str());
+  constexpr auto codeCount = static_cast<vtkIdType>(nexrad::VoxelCodes::Count);
+  const bool fits = vtkUnsignedCharArray::SafeDownCast(codes) != nullptr && values != nullptr &&
+                    values->GetNumberOfValues() == codeCount;
+  return fits ? values : nullptr;
 }
 
 /// A moment's voxels where they are, without a copy; valid while the image keeps its arrays.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 namespace nexrad::testing
 {
@@ -21,9 +22,9 @@ inline VoxelBlock RowsFrom(const GridSpecification& grid, int row)
 
 /// Writes a volume in bricks, band by band.
 inline void WriteBricks(const std::filesystem::path& path, const GriddedVolume& volume,
-  const NxvWriteOptions& options = {})
+  std::optional<NxvEncoding> encoding = {})
 {
-  NxvBandWriter writer(path, volume.grid, options);
+  NxvBandWriter writer(path, volume.grid, encoding);
   for (int row = 0; row < volume.grid.dimensions[1]; row += NxvBandWriter::Rows)
   {
     writer.Add(TakePart(volume, RowsFrom(volume.grid, row)), ThreadLoop(2));

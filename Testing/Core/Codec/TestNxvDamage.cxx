@@ -111,13 +111,11 @@ std::vector<std::string> GoodFiles()
   std::vector<std::string> files;
   for (const auto encoding : {NxvEncoding::Thesis, NxvEncoding::Float, NxvEncoding::RadarSteps})
   {
-    NxvWriteOptions options;
-    options.encoding = encoding;
     if (encoding == NxvEncoding::Float)
     {
       AddAncillary(volume);
     }
-    WriteNxv(folder.Path() / "a.nxv", volume, options);
+    WriteNxv(folder.Path() / "a.nxv", volume, encoding);
     files.push_back(FileContent(folder.Path() / "a.nxv"));
   }
   for (const GriddedVolume& each : {volume, MakeGriddedVolume({513, 2, 1})}) // the second in levels

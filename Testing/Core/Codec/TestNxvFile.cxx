@@ -27,18 +27,11 @@ namespace
 
 namespace fs = std::filesystem;
 
-GriddedVolume RoundTrip(const GriddedVolume& volume, const NxvWriteOptions& options)
+GriddedVolume RoundTrip(const GriddedVolume& volume, std::optional<NxvEncoding> encoding)
 {
   const TemporaryFolder folder;
-  WriteNxv(folder.Path() / "a.nxv", volume, options);
+  WriteNxv(folder.Path() / "a.nxv", volume, encoding);
   return ReadNxv(folder.Path() / "a.nxv");
-}
-
-NxvWriteOptions With(NxvEncoding encoding)
-{
-  NxvWriteOptions options;
-  options.encoding = encoding;
-  return options;
 }
 
 // What a volume is after it went through the thesis's codes.
@@ -121,7 +114,7 @@ TEST(NxvFile, ReadsAFileMadeByHand)
 TEST(NxvFile, CodesRoundTripToTheWholeDecibel)
 {
   const GriddedVolume volume = MakeGriddedVolume();
-  ExpectSameVoxels(RoundTrip(volume, With(NxvEncoding::Thesis)), Quantized(volume));
+  ExpectSameVoxels(RoundTrip(volume, NxvEncoding::Thesis), Quantized(volume));
 }
 
 TEST(NxvFile, FloatsAndStatesAreExact)
@@ -129,7 +122,7 @@ TEST(NxvFile, FloatsAndStatesAreExact)
   GriddedVolume volume = MakeGriddedVolume();
   volume.states[0] = VoxelState::RangeFolded;
   volume.values[0] = volume.fill;
-  ExpectSameVoxels(RoundTrip(volume, With(NxvEncoding::Float)), volume);
+  ExpectSameVoxels(RoundTrip(volume, NxvEncoding::Float), volume);
 }
 
 // Snow and clear air are weaker than 0 dBZ. The codes of whole dBZ made them no echo.
@@ -175,7 +168,7 @@ TEST(NxvFile, RangeFoldedSurvivesTheCodes)
   GriddedVolume expected = Quantized(volume);
   expected.states[1] = VoxelState::RangeFolded;
   EXPECT_EQ(expected.states[3], VoxelState::NoEcho);
-  ExpectSameVoxels(RoundTrip(volume, With(NxvEncoding::Thesis)), expected);
+  ExpectSameVoxels(RoundTrip(volume, NxvEncoding::Thesis), expected);
   expected.states[3] = VoxelState::Echo;
   expected.values[3] = -12.0F;
   const GriddedVolume steps = RoundTrip(volume, {});
@@ -201,7 +194,7 @@ TEST(NxvFile, EmptyFullAndRandomVolumesRoundTrip)
       }
       for (const auto encoding : {NxvEncoding::RadarSteps, NxvEncoding::Thesis, NxvEncoding::Float})
       {
-        ExpectSameVoxels(RoundTrip(volume, With(encoding)), volume);
+        ExpectSameVoxels(RoundTrip(volume, encoding), volume);
       }
     }
   }
@@ -213,7 +206,7 @@ TEST(NxvFile, AncillaryArraysComeBack)
   AddAncillary(volume);
   for (const auto encoding : {NxvEncoding::RadarSteps, NxvEncoding::Thesis, NxvEncoding::Float})
   {
-    const GriddedVolume read = RoundTrip(volume, With(encoding));
+    const GriddedVolume read = RoundTrip(volume, encoding);
     EXPECT_EQ(read.ancillary.radars, volume.ancillary.radars);
     EXPECT_EQ(read.ancillary.nearestSite, volume.ancillary.nearestSite);
     if (encoding == NxvEncoding::Float)
@@ -230,7 +223,7 @@ TEST(NxvFile, AncillaryArraysComeBack)
     }
     EXPECT_NE(read.ancillary.age, volume.ancillary.age);
     // What was rounded once stays as it is.
-    const GriddedVolume again = RoundTrip(read, With(encoding));
+    const GriddedVolume again = RoundTrip(read, encoding);
     EXPECT_EQ(again.ancillary.age, read.ancillary.age);
     EXPECT_EQ(again.ancillary.weight, read.ancillary.weight);
   }
@@ -316,7 +309,7 @@ TEST(NxvFile, LargeArraysHavePiecesThatAnyReaderCanPassOver)
   const GriddedVolume volume = MakeLargeVolume();
   for (const auto encoding : {NxvEncoding::RadarSteps, NxvEncoding::Thesis, NxvEncoding::Float})
   {
-    WriteNxv(path, volume, With(encoding));
+    WriteNxv(path, volume, encoding);
     const std::string content = FileContent(path);
     EXPECT_EQ(content.find("\"pieces\":[") == std::string::npos, encoding == NxvEncoding::Thesis);
     ExpectSameVoxels(ReadNxv(path), volume);
@@ -350,11 +343,10 @@ TEST(NxvFile, CodesAreReadAsTheyAre)
   const GriddedVolume volume = MakeLargeVolume();
   for (const auto encoding : {NxvEncoding::RadarSteps, NxvEncoding::Thesis})
   {
-    WriteNxv(path, volume, With(encoding));
-    EXPECT_TRUE(HasNxvCodes(path, {}, true));
-    const auto coded = ReadNxvCodes(path);
+    WriteNxv(path, volume, encoding);
+    EXPECT_TRUE(HasNxvCodes(path));
+    const auto coded = ReadNxvCodes(path, {}, true);
     ASSERT_TRUE(coded);
-    EXPECT_FALSE(coded->furtherStates);
     EXPECT_EQ(coded->volume.grid, volume.grid);
     GriddedVolume expanded = coded->volume;
     expanded.values.resize(volume.values.size());
@@ -363,7 +355,7 @@ TEST(NxvFile, CodesAreReadAsTheyAre)
       expanded.states.data(), ThreadLoop(2));
     ExpectSameVoxels(expanded, volume);
   }
-  WriteNxv(path, volume, With(NxvEncoding::Float));
+  WriteNxv(path, volume, NxvEncoding::Float);
   EXPECT_FALSE(HasNxvCodes(path));
   EXPECT_FALSE(ReadNxvCodes(path));
 }
@@ -378,10 +370,9 @@ TEST(NxvFile, CodesTellWhenVoxelsAreRangeFolded)
   WriteNxv(path, volume);
   const auto coded = ReadNxvCodes(path);
   ASSERT_TRUE(coded);
-  EXPECT_TRUE(coded->furtherStates);
   EXPECT_EQ(coded->meaning.states[coded->codes[5]], VoxelState::NoEcho);
   EXPECT_TRUE(HasNxvCodes(path));
-  EXPECT_FALSE(HasNxvCodes(path, {}, true));
+  EXPECT_FALSE(ReadNxvCodes(path, {}, true));
 }
 
 // In an array of their own, which versions that do not know it pass over: `_state` has no state
@@ -405,7 +396,7 @@ TEST(NxvFile, FilteredVoxelsComeBackInAllEncodings)
     }
     for (const auto encoding : {NxvEncoding::RadarSteps, NxvEncoding::Thesis, NxvEncoding::Float})
     {
-      WriteNxv(path, volume, With(encoding));
+      WriteNxv(path, volume, encoding);
       const GriddedVolume read = ReadNxv(path);
       EXPECT_EQ(read.states[5], VoxelState::Filtered);
       EXPECT_EQ(read.states[7], VoxelState::Filtered);
@@ -413,7 +404,7 @@ TEST(NxvFile, FilteredVoxelsComeBackInAllEncodings)
       EXPECT_EQ(read.values[5], volume.fill);
       const bool states = FileContent(path).find("REF_state") != std::string::npos;
       EXPECT_EQ(states, folded || encoding == NxvEncoding::Float);
-      EXPECT_FALSE(HasNxvCodes(path, {}, true));
+      EXPECT_FALSE(ReadNxvCodes(path, {}, true));
     }
   }
 }

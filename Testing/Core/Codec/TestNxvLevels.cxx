@@ -2,7 +2,7 @@
 // The coarser levels of a volume in bricks are what the rule says of the voxels that they replace.
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Codec/NxvLevels.h"
-#include "nexrad/Grid/VolumeMoments.h"
+#include "nexrad/Grid/GriddedVolume.h"
 
 #include "BrickFile.h"
 #include "Comparison/VolumeComparison.h"
@@ -281,9 +281,9 @@ VoxelBlock PartsFrom(const GridSpecification& grid, int first, int end)
 }
 
 void WritePart(const fs::path& path, const GriddedVolume& volume, const VoxelBlock& rows,
-  const NxvWriteOptions& options = {})
+  std::optional<NxvEncoding> encoding = {})
 {
-  NxvBandWriter writer(path, volume.grid, rows, options);
+  NxvBandWriter writer(path, volume.grid, rows, encoding);
   for (int row = rows.begin[1]; row < rows.end[1]; row += NxvBandWriter::Rows)
   {
     writer.Add(TakePart(volume, RowsFrom(volume.grid, row)));
@@ -325,13 +325,12 @@ TEST(NxvParts, AreJoinedToTheSameFile)
     const int parts = (dimensions[1] - 1) / NxvBandWriter::PartRows + 1;
     for (const auto encoding : {NxvEncoding::RadarSteps, NxvEncoding::Float})
     {
-      const NxvWriteOptions options{encoding};
-      WriteBricks(folder.Path() / "whole.nxv", volume, options);
-      NxvBandWriter writer(folder.Path() / "joined.nxv", volume.grid, options);
+      WriteBricks(folder.Path() / "whole.nxv", volume, encoding);
+      NxvBandWriter writer(folder.Path() / "joined.nxv", volume.grid, encoding);
       for (const auto& [first, end] : {std::pair{0, 1}, {1, parts}})
       {
         const fs::path part = folder.Path() / "part";
-        WritePart(part, volume, PartsFrom(volume.grid, first, end), options);
+        WritePart(part, volume, PartsFrom(volume.grid, first, end), encoding);
         writer.AddPart(part);
       }
       writer.Commit();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Files with several moments.
 #include "nexrad/Codec/NxvFile.h"
-#include "nexrad/Grid/VolumeMoments.h"
+#include "nexrad/Grid/GriddedVolume.h"
 
 #include "Comparison/VolumeComparison.h"
 #include "ErrorMessage.h"
@@ -49,14 +49,12 @@ TEST(NxvMoments, EachIsWhatAFileOfItAloneHolds)
   const fs::path path = folder.Path() / "all.nxv";
   for (const auto encoding : {NxvEncoding::RadarSteps, NxvEncoding::Float})
   {
-    NxvWriteOptions options;
-    options.encoding = encoding;
-    WriteNxv(path, JoinMoments(MakeMoments()), options);
+    WriteNxv(path, JoinMoments(MakeMoments()), encoding);
     const std::vector<GriddedVolume> read = SplitMoments(ReadNxv(path));
     ASSERT_EQ(read.size(), 3U);
     for (std::size_t i = 0; i < read.size(); ++i)
     {
-      WriteNxv(folder.Path() / "one.nxv", MakeMoments()[i], options);
+      WriteNxv(folder.Path() / "one.nxv", MakeMoments()[i], encoding);
       const GriddedVolume alone = ReadNxv(folder.Path() / "one.nxv");
       ExpectSameVolume(read[i], alone);
       NxvReadOptions choice;
@@ -81,7 +79,7 @@ TEST(NxvMoments, OneMomentIsReadAsCodes)
   EXPECT_TRUE(HasNxvCodes(path, options));
   const auto coded = ReadNxvCodes(path, options);
   ASSERT_TRUE(coded);
-  EXPECT_TRUE(coded->furtherStates);
+  EXPECT_FALSE(ReadNxvCodes(path, options, true));
   EXPECT_EQ(coded->volume.moment, MomentName::VEL);
   const GriddedVolume read = ReadNxv(path, options);
   for (std::size_t i = 0; i < read.values.size(); ++i)
@@ -120,9 +118,7 @@ TEST(NxvMoments, FurtherOnesHaveNoRunLengths)
 {
   const TemporaryFolder folder;
   const fs::path path = folder.Path() / "all.nxv";
-  NxvWriteOptions options;
-  options.encoding = NxvEncoding::Thesis;
-  WriteNxv(path, JoinMoments(MakeMoments()), options);
+  WriteNxv(path, JoinMoments(MakeMoments()), NxvEncoding::Thesis);
   const GriddedVolume read = ReadNxv(path);
   EXPECT_EQ(read.values[3], 2.0F); // 1.75 dBZ in whole dBZ
   WriteNxv(path, JoinMoments(MakeMoments()));

@@ -131,7 +131,7 @@ TEST(BeamSampler, CentreLiesOnTheGeodesic)
       GeographicLib::Geodesic::WGS84().Direct(
         site.latitude, site.longitude, azimuth, point.groundDistance, latitude, longitude);
       const PlanePoint truth = StormPlane::FromGeographic(longitude, latitude, 0.0);
-      const PlanePoint place = beam.Centre(range);
+      const PlanePoint place = beam.Trace().Centre(range);
       EXPECT_WITHIN(place.x, truth.x, 0.17, "place of the beam's centre along x, m")
         << azimuth << ' ' << range;
       EXPECT_WITHIN(place.y, truth.y, 0.17, "place of the beam's centre along y, m")

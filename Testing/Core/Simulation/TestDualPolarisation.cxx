@@ -7,7 +7,6 @@
 #include "nexrad/Model/SiteTable.h"
 #include "nexrad/Simulation/DualPolarisation.h"
 #include "nexrad/Simulation/RadarSimulator.h"
-#include "nexrad/Simulation/RayWords.h"
 #include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>

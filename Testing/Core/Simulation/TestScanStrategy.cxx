@@ -20,12 +20,12 @@ void CompareWithMessage5(const std::filesystem::path& file, int number)
   const RadarVolume volume = ReadLevel2(file);
   ASSERT_TRUE(volume.coveragePattern) << file;
   ASSERT_EQ(volume.coveragePattern->number, number) << file;
-  const CoveragePattern* pattern = FindCoveragePattern(number);
-  ASSERT_NE(pattern, nullptr);
-  ASSERT_EQ(pattern->cuts.size(), volume.coveragePattern->cuts.size()) << number;
-  for (std::size_t index = 0; index < pattern->cuts.size(); ++index)
+  const std::vector<ScanCut>* cuts = FindScanStrategy(number);
+  ASSERT_NE(cuts, nullptr);
+  ASSERT_EQ(cuts->size(), volume.coveragePattern->cuts.size()) << number;
+  for (std::size_t index = 0; index < cuts->size(); ++index)
   {
-    const CoverageCut& cut = pattern->cuts[index];
+    const CoverageCut& cut = (*cuts)[index].cut;
     const CoverageCut& truth = volume.coveragePattern->cuts[index];
     EXPECT_NEAR(cut.elevation, truth.elevation, 0.001) << number << " cut " << index;
     EXPECT_EQ(cut.waveform, truth.waveform) << number << " cut " << index;
@@ -161,7 +161,7 @@ TEST(ScanStrategy, CutsWithoutAmbiguityResolutionEndAtTheirRange)
 TEST(ScanStrategy, KnowsThePatternsThatItNames)
 {
   EXPECT_EQ(KnownCoveragePatterns(), (std::vector<int>{11, 12, 21, 31, 32, 35, 121, 212, 215}));
-  EXPECT_EQ(FindCoveragePattern(99), nullptr);
+  EXPECT_EQ(FindScanStrategy(99), nullptr);
   EXPECT_WITHIN(ToSeconds(Time(VolumePeriod(21))), 347.0, 1.8,
     "period of a volume, s"); // the pace of KBGM, 2005-08-21
 }

@@ -46,6 +46,16 @@ WindVector PartOf(const StormVortex& vortex, double east, double north, double h
   return wind;
 }
 
+WindVector WindAt(const StormSnapshot& snapshot, const PlanePoint& place)
+{
+  WindVector wind = MeanWind(place.z);
+  for (const StormVortex& vortex : snapshot.Vortices())
+  {
+    vortex.AddTo(wind, place);
+  }
+  return wind;
+}
+
 // The mean of the radial velocity over the beam by brute force, weighted with Z: directions on a
 // fine square lattice over ±3 standard deviations of the pattern, five ranges in the gate.
 double BruteForceVelocity(
@@ -72,7 +82,7 @@ double BruteForceVelocity(
         const PlanePoint place =
           trace.Place(trace.At(range + spacing * ((part + 0.5) / 5.0 - 0.5), elevation));
         const double weight = pattern * std::pow(10.0, snapshot.Reflectivity(place) / 10.0);
-        const WindVector wind = snapshot.Wind(place);
+        const WindVector wind = WindAt(snapshot, place);
         sum += weight * std::cos(elevation * RadiansPerDegree) *
                (wind.east * std::sin(azimuth * RadiansPerDegree) +
                  wind.north * std::cos(azimuth * RadiansPerDegree));

@@ -185,6 +185,7 @@ TEST(StormField, MeanIsOverTheLatticeOfTheVoxel)
   const StormField field;
   const Time time = At("2006-03-12T18:00");
   const auto rows = MeanReflectivityRows(field, grid, 20, 44, time);
+  const StormSnapshot snapshot = field.At(time);
   std::size_t compared = 0;
   for (int y = 20; y < 44; y += 3)
   {
@@ -200,8 +201,8 @@ TEST(StormField, MeanIsOverTheLatticeOfTheVoxel)
           const double up = (sample / 16 - 0.5) / 2.0;
           const auto degrees = grid.ToGeographic(grid.Coordinate(0, x) + east * grid.spacing[0],
             grid.Coordinate(1, y) + north * grid.spacing[1]);
-          sum += std::max(0.0, field.Reflectivity(degrees[0], degrees[1],
-                                 grid.Coordinate(2, z) + up * grid.spacing[2], time));
+          sum += std::max(0.0, snapshot.Reflectivity(StormPlane::FromGeographic(degrees[0],
+                                 degrees[1], grid.Coordinate(2, z) + up * grid.spacing[2])));
         }
         const std::size_t index = (static_cast<std::size_t>(z) * 24 + (y - 20)) * 64 + x;
         EXPECT_NEAR(rows[index], sum / 32.0, 1e-4);
