@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradDayReader.h"
 
-#include "nexrad/Grid/VoxelBlock.h"
+#include "nexrad/Grid/GridSpecification.h"
 #include "nexrad/Merging/MergeSettings.h"
 #include "nexrad/Merging/SeriesMerger.h"
 #include "nexrad/Merging/VolumeCache.h"
@@ -45,8 +45,9 @@ bool IsTime(double seconds)
 }
 
 // Seconds; `none` for an empty text and for a number that is no time. Empty when the text is
-// neither a time nor a number.
-std::optional<double> SecondsOf(const std::string& text, double none)
+// neither a time nor a number, which is an error of the reader; `property` is what is set.
+std::optional<double> SecondsOf(
+  vtkObject* reader, const char* property, const std::string& text, double none)
 {
   if (text.empty())
   {
@@ -60,6 +61,8 @@ std::optional<double> SecondsOf(const std::string& text, double none)
   const double seconds = vtkVariant(text).ToDouble(&isNumber);
   if (!isNumber || std::isnan(seconds))
   {
+    vtkErrorWithObjectMacro(
+      reader, << property << ": '" << text << "' is no time; write it as 2010-09-11T20:05 (UTC)");
     return std::nullopt;
   }
   return IsTime(seconds) ? seconds : none;
@@ -96,31 +99,28 @@ struct vtkNexradDayReader::Day
   }
 
   std::optional<nexrad::GriddedVolume> Merge(nexrad::Time time, const nexrad::VoxelBlock& block,
-    vtkMTimeType settings, const nexrad::Progress& progress);
+    vtkMTimeType settings, const nexrad::Progress& progress)
+  {
+    // A scan may show that a header erred, and that another volume belongs to a time.
+    if (MergedWith != settings || MergedByScan != Merger.IsScanned())
+    {
+      Merged.Clear();
+      MergedWith = settings;
+    }
+    if (auto kept = Merged.Find(block, time))
+    {
+      return kept;
+    }
+    std::optional<nexrad::GriddedVolume> merged = Merger.Merge(time, progress, block);
+    MergedByScan = Merger.IsScanned();
+    if (merged)
+    {
+      ++Merges;
+      Merged.Keep(block, *merged);
+    }
+    return merged;
+  }
 };
-
-std::optional<nexrad::GriddedVolume> vtkNexradDayReader::Day::Merge(nexrad::Time time,
-  const nexrad::VoxelBlock& block, vtkMTimeType settings, const nexrad::Progress& progress)
-{
-  // A scan may show that a header erred, and that another volume belongs to a time.
-  if (MergedWith != settings || MergedByScan != Merger.IsScanned())
-  {
-    Merged.Clear();
-    MergedWith = settings;
-  }
-  if (auto kept = Merged.Find(block, time))
-  {
-    return kept;
-  }
-  std::optional<nexrad::GriddedVolume> merged = Merger.Merge(time, progress, block);
-  MergedByScan = Merger.IsScanned();
-  if (merged)
-  {
-    ++Merges;
-    Merged.Keep(block, *merged);
-  }
-  return merged;
-}
 
 vtkNexradDayReader::vtkNexradDayReader()
 {
@@ -201,11 +201,6 @@ void vtkNexradDayReader::ClearFileNames()
   }
 }
 
-int vtkNexradDayReader::GetNumberOfFileNames() const
-{
-  return static_cast<int>(this->FileNames.size());
-}
-
 const char* vtkNexradDayReader::GetFileName(int index) const
 {
   return index >= 0 && index < this->GetNumberOfFileNames()
@@ -215,12 +210,10 @@ const char* vtkNexradDayReader::GetFileName(int index) const
 
 void vtkNexradDayReader::SetBeginTimeText(const std::string& text)
 {
-  if (const auto seconds = SecondsOf(text, VTK_DOUBLE_MIN))
+  if (const auto seconds = SecondsOf(this, "BeginTime", text, VTK_DOUBLE_MIN))
   {
     this->SetBeginTime(*seconds);
-    return;
   }
-  vtkErrorMacro(<< "BeginTime: '" << text << "' is no time; write it as 2010-09-11T20:05 (UTC)");
 }
 
 std::string vtkNexradDayReader::GetBeginTimeText() const
@@ -230,12 +223,10 @@ std::string vtkNexradDayReader::GetBeginTimeText() const
 
 void vtkNexradDayReader::SetEndTimeText(const std::string& text)
 {
-  if (const auto seconds = SecondsOf(text, VTK_DOUBLE_MAX))
+  if (const auto seconds = SecondsOf(this, "EndTime", text, VTK_DOUBLE_MAX))
   {
     this->SetEndTime(*seconds);
-    return;
   }
-  vtkErrorMacro(<< "EndTime: '" << text << "' is no time; write it as 2010-09-11T20:05 (UTC)");
 }
 
 std::string vtkNexradDayReader::GetEndTimeText() const
@@ -272,16 +263,6 @@ int vtkNexradDayReader::GetNumberOfMerges() const
   return this->Opened ? this->Opened->Merges : 0;
 }
 
-vtkStringArray* vtkNexradDayReader::GetDamage()
-{
-  return this->Damage;
-}
-
-vtkStringArray* vtkNexradDayReader::GetLeftOut()
-{
-  return this->LeftOut;
-}
-
 vtkStringArray* vtkNexradDayReader::GetRadarComparison()
 {
   this->RadarComparison->Initialize();
@@ -295,17 +276,7 @@ vtkStringArray* vtkNexradDayReader::GetRadarComparison()
   return this->RadarComparison;
 }
 
-vtkDoubleArray* vtkNexradDayReader::GetTimeSteps()
-{
-  return this->TimeSteps;
-}
-
-vtkStringArray* vtkNexradDayReader::GetSites()
-{
-  return this->Sites;
-}
-
-nexrad::MergeOptions vtkNexradDayReader::MakeMergeOptions() const
+nexrad::MergeOptions vtkNexradDayReader::MakeDayOptions() const
 {
   nexrad::MergeOptions options;
   options.grid.range = nexrad::DefaultRange; // of a terminal radar as well
@@ -317,16 +288,10 @@ nexrad::MergeOptions vtkNexradDayReader::MakeMergeOptions() const
       nexrad::SetText(setting, text->second, options);
     }
   }
-  for (const nexrad::MomentName moment : options.Moments())
+  for (const nexrad::MomentName moment : options.moments)
   {
     nexrad::RequireMoment(options.method, moment);
   }
-  return options;
-}
-
-nexrad::MergeOptions vtkNexradDayReader::MakeDayOptions() const
-{
-  nexrad::MergeOptions options = this->MakeMergeOptions();
   if (options.maximumGap == nexrad::MergeOptions().maximumGap)
   {
     options.maximumGap = nexrad::DurationOf(this->MaximumGap);
@@ -465,15 +430,10 @@ int vtkNexradDayReader::RequestInformation(
     this->Sites->InsertNextValue(site);
   }
   vtkInformation* info = output->GetInformationObject(0);
-  vtkNexradOfferExtent(info, merger.Grid().dimensions.data());
+  vtkNexradOfferGrid(info, merger.Grid());
   vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_FLOAT, 1);
-  info->Set(vtkDataObject::ORIGIN(), merger.Grid().origin.data(), 3);
-  info->Set(vtkDataObject::SPACING(), merger.Grid().spacing.data(), 3);
-  const vtkIdType count = this->TimeSteps->GetNumberOfValues();
-  const double range[2] = {this->TimeSteps->GetValue(0), this->TimeSteps->GetValue(count - 1)};
-  info->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), this->TimeSteps->GetPointer(0),
-    static_cast<int>(count));
-  info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+  vtkNexradOfferTimes(
+    info, this->TimeSteps->GetPointer(0), static_cast<int>(this->TimeSteps->GetNumberOfValues()));
   return 1;
 }
 
@@ -518,11 +478,6 @@ int vtkNexradDayReader::RequestData(
 
 bool vtkNexradDayReader::MergeBox(double time, const double faces[4], vtkImageData* box)
 {
-  return this->Merge(time, {{faces[0], faces[1], faces[2], faces[3]}}, box);
-}
-
-bool vtkNexradDayReader::Merge(double time, const nexrad::BoxRequest& request, vtkImageData* image)
-{
   this->UpdateInformation();
   if (!this->Opened)
   {
@@ -530,9 +485,9 @@ bool vtkNexradDayReader::Merge(double time, const nexrad::BoxRequest& request, v
   }
   try
   {
-    const std::optional<nexrad::GriddedVolume> merged =
-      this->Opened->Merger.MergeBox(nexrad::FromSeconds(time), request);
-    vtkNexradVolumeToImage(*merged, image);
+    const std::optional<nexrad::GriddedVolume> merged = this->Opened->Merger.MergeBox(
+      nexrad::FromSeconds(time), {{faces[0], faces[1], faces[2], faces[3]}});
+    vtkNexradVolumeToImage(*merged, box);
     return true;
   }
   catch (const nexrad::Error& error)

@@ -75,7 +75,6 @@ class vtkStringArray;
 
 namespace nexrad
 {
-struct BoxRequest;
 struct MergeOptions;
 struct MergerSetup;
 } // namespace nexrad
@@ -94,7 +93,7 @@ public:
    */
   virtual void AddFileName(const char* path);
   virtual void ClearFileNames();
-  int GetNumberOfFileNames() const;
+  int GetNumberOfFileNames() const { return static_cast<int>(this->FileNames.size()); }
   const char* GetFileName(int index) const;
   ///@}
 
@@ -258,12 +257,12 @@ public:
    * What was wrong in the inputs that were decoded so far, one line each ("FILE: offset N: WHAT").
    * The same lines come as warnings, those of a file as one.
    */
-  vtkStringArray* GetDamage();
+  vtkStringArray* GetDamage() { return this->Damage.Get(); }
 
   /**
    * The paths of inputs that were left out so far, a part of those of GetDamage.
    */
-  vtkStringArray* GetLeftOut();
+  vtkStringArray* GetLeftOut() { return this->LeftOut.Get(); }
 
   /**
    * What the comparison of the radars finds in the reflectivity that was decoded so far (Formulas
@@ -274,8 +273,8 @@ public:
   /**
    * After UpdateInformation: the time steps, and the names of the radars.
    */
-  vtkDoubleArray* GetTimeSteps();
-  vtkStringArray* GetSites();
+  vtkDoubleArray* GetTimeSteps() { return this->TimeSteps.Get(); }
+  vtkStringArray* GetSites() { return this->Sites.Get(); }
 
   ///@{
   /**
@@ -288,7 +287,8 @@ public:
   ///@}
 
 #ifndef __VTK_WRAP__
-  /// The settings as Core has them. Throws nexrad::Error for some that no merge can have.
+  /// The settings as Core has them. Throws nexrad::Error for a text that is wrong, and for a moment
+  /// that the method does not know.
   nexrad::MergeOptions MakeDayOptions() const;
 #endif
 
@@ -315,9 +315,6 @@ private:
 
   // Sets the error code and gives the error. Returns 0, for a request that failed.
   int Fail(unsigned long code, const std::string& line);
-  // What the options ask of merged volumes. Throws nexrad::Error for a text that is wrong, and for
-  // a moment that the method does not know.
-  nexrad::MergeOptions MakeMergeOptions() const;
   nexrad::MergerSetup MakeSetup(const std::array<int, 3>& dimensions) const;
   /**
    * Finds the files, or sets the options of those that are known. False after an abort. Throws
@@ -325,7 +322,6 @@ private:
    */
   bool Open();
   void ReportProblems();
-  bool Merge(double time, const nexrad::BoxRequest& request, vtkImageData* image);
 
   std::map<std::string, std::string> Texts; // of the options that were set
   vtkSmartPointer<vtkMultiProcessController> Controller;

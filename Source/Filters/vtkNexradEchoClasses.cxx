@@ -45,6 +45,22 @@ struct SweepOrigin
   std::vector<int> Rows;
 };
 
+// A volume that sweeps make, and where each of its sweeps comes from.
+struct FoundVolume
+{
+  nexrad::PolarVolume Volume;
+  std::vector<SweepOrigin> Origins;
+};
+
+// The one of the same radar and the same start; the end where there is none.
+std::vector<FoundVolume>::iterator FindVolume(
+  std::vector<FoundVolume>& volumes, const nexrad::PolarVolume& like)
+{
+  return std::find_if(volumes.begin(), volumes.end(),
+    [&](const FoundVolume& each)
+    { return each.Volume.site.name == like.site.name && each.Volume.start == like.start; });
+}
+
 constexpr auto NotSampled = static_cast<unsigned char>(nexrad::GateState::NotSampled);
 
 /// One grid of one sweep, with what its arrays must have.
@@ -68,7 +84,8 @@ public:
     return *value;
   }
 
-  vtkDataArray* RayArray(const char* name, vtkIdType rays) const
+  // `rays`: how many values it must have; any number by default.
+  vtkDataArray* RayArray(const char* name, vtkIdType rays = -1) const
   {
     vtkDataArray* array = this->Field->GetArray(name);
     if (!array || array->GetNumberOfComponents() != 1 ||
@@ -77,12 +94,6 @@ public:
       this->Refuse(name, "must be in the field data, with one value a ray");
     }
     return array;
-  }
-
-  // nullptr where the field data do not have it.
-  vtkDataArray* OptionalRayArray(const char* name, vtkIdType rays) const
-  {
-    return this->Field->HasArray(name) ? this->RayArray(name, rays) : nullptr;
   }
 
   template <class Array>
@@ -165,11 +176,13 @@ nexrad::PolarSweep ToPolarSweep(
   const std::string name = nexrad::ToString(moment);
   auto* values = source.PointArray<vtkFloatArray>(name);
   auto* states = source.PointArray<vtkUnsignedCharArray>(name + "_state");
-  const vtkIdType rays = source.RayArray("RayTime", -1)->GetNumberOfTuples();
-  vtkDataArray* times = source.RayArray("RayTime", rays);
+  vtkDataArray* times = source.RayArray("RayTime");
+  const vtkIdType rays = times->GetNumberOfTuples();
   vtkDataArray* azimuths = source.RayArray("RayAzimuth", rays);
   vtkDataArray* elevations = source.RayArray("RayElevation", rays);
-  vtkDataArray* ranges = source.OptionalRayArray("UnambiguousRange", rays);
+  vtkDataArray* ranges = source.Field->HasArray("UnambiguousRange")
+                           ? source.RayArray("UnambiguousRange", rays)
+                           : nullptr;
   int dimensions[3];
   source.Grid->GetDimensions(dimensions);
   if (rays > dimensions[1] || dimensions[2] != 1)
@@ -218,28 +231,22 @@ nexrad::PolarVolume DescribeVolume(const SweepGrid& source, nexrad::MomentName m
   return volume;
 }
 
-void AppendGrid(std::vector<nexrad::PolarVolume>& volumes,
-  std::vector<std::vector<SweepOrigin>>& origins, const SweepGrid& source,
-  nexrad::MomentName moment)
+void AppendGrid(
+  std::vector<FoundVolume>& volumes, const SweepGrid& source, nexrad::MomentName moment)
 {
   if (!source.Grid->GetPointData()->HasArray(nexrad::ToString(moment)))
   {
     return;
   }
   nexrad::PolarVolume description = DescribeVolume(source, moment);
-  auto own = std::find_if(volumes.begin(), volumes.end(),
-    [&](const nexrad::PolarVolume& each)
-    { return each.site.name == description.site.name && each.start == description.start; });
+  auto own = FindVolume(volumes, description);
   if (own == volumes.end())
   {
-    volumes.push_back(std::move(description));
-    origins.emplace_back();
-    own = volumes.end() - 1;
+    own = volumes.insert(own, {std::move(description), {}});
   }
-  std::vector<int> rows;
-  own->sweeps.push_back(ToPolarSweep(source, moment, rows));
-  origins[static_cast<std::size_t>(own - volumes.begin())].push_back(
-    {source.Grid, std::move(rows)});
+  SweepOrigin origin{source.Grid, {}};
+  own->Volume.sweeps.push_back(ToPolarSweep(source, moment, origin.Rows));
+  own->Origins.push_back(std::move(origin));
 }
 
 // The volumes whose sweeps are in the collection: those of one site with one start time make one
@@ -247,13 +254,11 @@ void AppendGrid(std::vector<nexrad::PolarVolume>& volumes,
 // passed over, and so are, in each grid, rays that it has no gate of. What decides which gates
 // count (`Waveform`, `UnambiguousRange`) may be absent; then all do. The moment is a measured one.
 // Throws nexrad::Error, naming the sweep and the array, for a grid with the moment that lacks its
-// field data, or in which they do not fit its dimensions. `origins`, when given, takes those of all
-// sweeps of all volumes, in the order of the result.
-std::vector<nexrad::PolarVolume> SweepsToPolar(vtkPartitionedDataSetCollection* sweeps,
-  nexrad::MomentName moment, std::vector<std::vector<SweepOrigin>>* origins = nullptr)
+// field data, or in which they do not fit its dimensions.
+std::vector<FoundVolume> SweepsToPolar(
+  vtkPartitionedDataSetCollection* sweeps, nexrad::MomentName moment)
 {
-  std::vector<nexrad::PolarVolume> volumes;
-  std::vector<std::vector<SweepOrigin>> found;
+  std::vector<FoundVolume> volumes;
   for (unsigned int i = 0; i < sweeps->GetNumberOfPartitionedDataSets(); ++i)
   {
     const char* name =
@@ -264,13 +269,9 @@ std::vector<nexrad::PolarVolume> SweepsToPolar(vtkPartitionedDataSetCollection* 
       auto* grid = vtkStructuredGrid::SafeDownCast(grids->GetPartition(j));
       if (grid)
       {
-        AppendGrid(volumes, found, {grid, name ? name : "data set " + std::to_string(i)}, moment);
+        AppendGrid(volumes, {grid, name ? name : "data set " + std::to_string(i)}, moment);
       }
     }
-  }
-  if (origins)
-  {
-    *origins = std::move(found);
   }
   return volumes;
 }
@@ -365,29 +366,17 @@ void AddArrays(
   AddNames(grid->GetFieldData());
 }
 
-// The one of the same radar and the same start; one without sweeps where there is none.
-nexrad::PolarVolume SameVolume(
-  const std::vector<nexrad::PolarVolume>& volumes, const nexrad::PolarVolume& volume)
-{
-  const auto found = std::find_if(volumes.begin(), volumes.end(),
-    [&](const nexrad::PolarVolume& each)
-    { return each.site.name == volume.site.name && each.start == volume.start; });
-  return found == volumes.end() ? nexrad::PolarVolume() : *found;
-}
-
 // False when `progress` asked to stop.
 bool ClassifySweeps(
   vtkPartitionedDataSetCollection* sweeps, const std::function<bool(double)>& progress)
 {
-  std::vector<std::vector<SweepOrigin>> origins;
-  const std::vector<nexrad::PolarVolume> volumes =
-    SweepsToPolar(sweeps, nexrad::MomentName::REF, &origins);
-  std::map<nexrad::MomentName, std::vector<nexrad::PolarVolume>> others;
+  const std::vector<FoundVolume> volumes = SweepsToPolar(sweeps, nexrad::MomentName::REF);
+  std::map<nexrad::MomentName, std::vector<FoundVolume>> others;
   for (std::size_t i = 0; i < volumes.size(); ++i)
   {
-    const nexrad::PolarVolume& volume = volumes[i];
+    const auto& [volume, origins] = volumes[i];
     std::mutex oneAtATime;
-    const auto measured = [&](nexrad::MomentName moment, const nexrad::WantedRange&)
+    const auto measured = [&, &like = volume](nexrad::MomentName moment, const nexrad::WantedRange&)
     {
       const std::lock_guard<std::mutex> lock(oneAtATime);
       const auto [found, isNew] = others.try_emplace(moment);
@@ -395,13 +384,14 @@ bool ClassifySweeps(
       {
         found->second = SweepsToPolar(sweeps, moment);
       }
-      return SameVolume(found->second, volume);
+      const auto same = FindVolume(found->second, like);
+      return same == found->second.end() ? nexrad::PolarVolume() : same->Volume;
     };
     const nexrad::EchoClassification found =
       nexrad::ClassifyEcho(volume, measured, vtkNexradRangeLoop());
     for (std::size_t sweep = 0; sweep < volume.sweeps.size(); ++sweep)
     {
-      AddArrays(origins[i][sweep], volume.sweeps[sweep].gates, found.sweeps[sweep]);
+      AddArrays(origins[sweep], volume.sweeps[sweep].gates, found.sweeps[sweep]);
     }
     if (!progress(static_cast<double>(i + 1) / static_cast<double>(volumes.size())))
     {
@@ -414,10 +404,6 @@ bool ClassifySweeps(
 } // namespace
 
 vtkStandardNewMacro(vtkNexradEchoClasses);
-
-vtkNexradEchoClasses::vtkNexradEchoClasses() = default;
-
-vtkNexradEchoClasses::~vtkNexradEchoClasses() = default;
 
 int vtkNexradEchoClasses::GetNumberOfEchoClasses()
 {
@@ -491,9 +477,4 @@ int vtkNexradEchoClasses::RequestData(
     return vtkNexradFail(this, error.what());
   }
   return 1;
-}
-
-void vtkNexradEchoClasses::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
 }

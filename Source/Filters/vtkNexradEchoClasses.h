@@ -30,7 +30,6 @@ class VTKNEXRADFILTERS_EXPORT vtkNexradEchoClasses : public vtkPartitionedDataSe
 public:
   static vtkNexradEchoClasses* New();
   vtkTypeMacro(vtkNexradEchoClasses, vtkPartitionedDataSetCollectionAlgorithm);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /**
@@ -62,8 +61,8 @@ public:
   static bool IsTakenOut(int quality, int echoClass);
 
 protected:
-  vtkNexradEchoClasses();
-  ~vtkNexradEchoClasses() override;
+  vtkNexradEchoClasses() = default;
+  ~vtkNexradEchoClasses() override = default;
 
   int RequestUpdateExtent(
     vtkInformation*, vtkInformationVector** input, vtkInformationVector*) override;

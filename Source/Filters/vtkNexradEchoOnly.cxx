@@ -17,13 +17,13 @@
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkNexradPipeline.h"
+#include "vtkNexradVoxels.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -35,10 +35,7 @@ namespace
 // The states of a moment; of the active scalars where the name is empty.
 vtkUnsignedCharArray* FindStates(vtkImageData* image, const std::string& moment)
 {
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  const std::string name = !moment.empty()                 ? moment
-                           : scalars && scalars->GetName() ? scalars->GetName()
-                                                           : "";
+  const std::string name = moment.empty() ? vtkNexradScalarsName(image) : moment;
   if (name.empty())
   {
     throw nexrad::Error("the image has no active scalars: name its moment");
@@ -66,13 +63,20 @@ std::vector<bool> FindCounting(vtkUnsignedCharArray* states, bool noEchoCounts)
   return counts;
 }
 
+// Numbers along x, y and z.
+using Size = std::array<vtkIdType, 3>;
+
+vtkIdType PlaceIn(const Size& size, vtkIdType x, vtkIdType y, vtkIdType z)
+{
+  return x + size[0] * (y + size[1] * z);
+}
+
 // Makes voxels of a lattice of corners, each corner once.
 class CellBuilder
 {
 public:
-  // `theSize`: corners along x, y and z. `theFirst`: the first corner.
-  CellBuilder(const std::array<vtkIdType, 3>& theSize, const std::array<double, 3>& theFirst,
-    const double* theSpacing)
+  // `theSize`: of corners. `theFirst`: the first corner.
+  CellBuilder(const Size& theSize, const std::array<double, 3>& theFirst, const double* theSpacing)
     : size(theSize)
     , first(theFirst)
     , spacing(theSpacing)
@@ -81,16 +85,23 @@ public:
     points->SetDataTypeToDouble();
   }
 
-  void Add(vtkIdType x, vtkIdType y, vtkIdType z)
+  // Adds those whose first corner is at a place that `isWanted` takes.
+  template <class IsWanted>
+  void AddWhere(const IsWanted& isWanted)
   {
-    std::array<vtkIdType, 8> corners{};
-    for (std::size_t corner = 0; corner < corners.size(); ++corner)
+    for (vtkIdType z = 0; z + 1 < size[2]; ++z)
     {
-      const auto one = [corner](unsigned axis)
-      { return static_cast<vtkIdType>(corner >> axis & 1U); };
-      corners[corner] = this->Point(x + one(0), y + one(1), z + one(2));
+      for (vtkIdType y = 0; y + 1 < size[1]; ++y)
+      {
+        for (vtkIdType x = 0; x + 1 < size[0]; ++x)
+        {
+          if (isWanted(x, y, z))
+          {
+            this->Add(x, y, z);
+          }
+        }
+      }
     }
-    cells->InsertNextCell(8, corners.data());
   }
 
   // Of the corners in the order of their points: their places in the lattice.
@@ -103,9 +114,21 @@ public:
   }
 
 private:
+  void Add(vtkIdType x, vtkIdType y, vtkIdType z)
+  {
+    std::array<vtkIdType, 8> corners{};
+    for (std::size_t corner = 0; corner < corners.size(); ++corner)
+    {
+      const auto one = [corner](unsigned axis)
+      { return static_cast<vtkIdType>(corner >> axis & 1U); };
+      corners[corner] = this->Point(x + one(0), y + one(1), z + one(2));
+    }
+    cells->InsertNextCell(8, corners.data());
+  }
+
   vtkIdType Point(vtkIdType x, vtkIdType y, vtkIdType z)
   {
-    const vtkIdType place = x + size[0] * (y + size[1] * z);
+    const vtkIdType place = PlaceIn(size, x, y, z);
     vtkIdType& number = numbers[static_cast<std::size_t>(place)];
     if (number < 0)
     {
@@ -117,7 +140,7 @@ private:
     return number;
   }
 
-  const std::array<vtkIdType, 3> size;
+  const Size size;
   const std::array<double, 3> first;
   const double* spacing;
   std::vector<vtkIdType> numbers;
@@ -138,91 +161,56 @@ void CopyArrays(vtkImageData* image, vtkIdList* places, vtkDataSetAttributes* at
   attributes->RemoveArray(vtkDataSetAttributes::GhostArrayName());
 }
 
-// The lattice of an image's voxels.
-struct Lattice
+Size SizeOf(vtkImageData* image)
 {
-  std::array<vtkIdType, 3> size{};
-  std::array<double, 3> origin{};
-
-  explicit Lattice(vtkImageData* image)
-  {
-    const int* dimensions = image->GetDimensions();
-    std::copy_n(dimensions, 3, size.begin());
-    image->GetPoint(0, origin.data());
-  }
-
-  vtkIdType Place(vtkIdType x, vtkIdType y, vtkIdType z) const
-  {
-    return x + size[0] * (y + size[1] * z);
-  }
-
-  template <class Visit>
-  static void ForEach(const std::array<vtkIdType, 3>& counts, const Visit& visit)
-  {
-    for (vtkIdType z = 0; z < counts[2]; ++z)
-    {
-      for (vtkIdType y = 0; y < counts[1]; ++y)
-      {
-        for (vtkIdType x = 0; x < counts[0]; ++x)
-        {
-          visit(x, y, z);
-        }
-      }
-    }
-  }
-};
+  const int* dimensions = image->GetDimensions();
+  return {dimensions[0], dimensions[1], dimensions[2]};
+}
 
 void MakeCellsBetween(
   vtkImageData* image, const std::vector<bool>& counts, vtkUnstructuredGrid* output)
 {
-  const Lattice lattice(image);
-  CellBuilder builder(lattice.size, lattice.origin, image->GetSpacing());
-  const auto row = [&](vtkIdType at)
+  const Size size = SizeOf(image);
+  std::array<double, 3> first{};
+  image->GetPoint(0, first.data());
+  const auto row = [&](vtkIdType x, vtkIdType y, vtkIdType z)
   {
-    const auto first = static_cast<std::size_t>(at);
-    return counts[first] && counts[first + 1];
+    const auto at = static_cast<std::size_t>(PlaceIn(size, x, y, z));
+    return counts[at] && counts[at + 1];
   };
-  Lattice::ForEach({lattice.size[0] - 1, lattice.size[1] - 1, lattice.size[2] - 1},
-    [&](vtkIdType x, vtkIdType y, vtkIdType z)
-    {
-      if (row(lattice.Place(x, y, z)) && row(lattice.Place(x, y + 1, z)) &&
-          row(lattice.Place(x, y, z + 1)) && row(lattice.Place(x, y + 1, z + 1)))
-      {
-        builder.Add(x, y, z);
-      }
-    });
+  CellBuilder builder(size, first, image->GetSpacing());
+  builder.AddWhere([&](vtkIdType x, vtkIdType y, vtkIdType z)
+    { return row(x, y, z) && row(x, y + 1, z) && row(x, y, z + 1) && row(x, y + 1, z + 1); });
   builder.Finish(output);
   CopyArrays(image, builder.Places(), output->GetPointData());
 }
 
 void MakeVoxels(vtkImageData* image, const std::vector<bool>& counts, vtkUnstructuredGrid* output)
 {
-  const Lattice lattice(image);
+  const Size size = SizeOf(image);
   const double* spacing = image->GetSpacing();
-  const std::array<double, 3> corner = {lattice.origin[0] - spacing[0] / 2.0,
-    lattice.origin[1] - spacing[1] / 2.0, lattice.origin[2] - spacing[2] / 2.0};
-  CellBuilder builder(
-    {lattice.size[0] + 1, lattice.size[1] + 1, lattice.size[2] + 1}, corner, spacing);
-  vtkNew<vtkIdList> voxels;
-  Lattice::ForEach(lattice.size,
-    [&](vtkIdType x, vtkIdType y, vtkIdType z)
-    {
-      const vtkIdType place = lattice.Place(x, y, z);
-      if (counts[static_cast<std::size_t>(place)])
-      {
-        builder.Add(x, y, z);
-        voxels->InsertNextId(place);
-      }
-    });
+  std::array<double, 3> corner{};
+  image->GetPoint(0, corner.data());
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    corner[axis] -= spacing[axis] / 2.0;
+  }
+  CellBuilder builder({size[0] + 1, size[1] + 1, size[2] + 1}, corner, spacing);
+  builder.AddWhere([&](vtkIdType x, vtkIdType y, vtkIdType z)
+    { return counts[static_cast<std::size_t>(PlaceIn(size, x, y, z))]; });
   builder.Finish(output);
+  vtkNew<vtkIdList> voxels;
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    if (counts[static_cast<std::size_t>(i)])
+    {
+      voxels->InsertNextId(i);
+    }
+  }
   CopyArrays(image, voxels, output->GetCellData());
 }
 
 } // namespace
-
-vtkNexradEchoOnly::vtkNexradEchoOnly() = default;
-
-vtkNexradEchoOnly::~vtkNexradEchoOnly() = default;
 
 int vtkNexradEchoOnly::FillInputPortInformation(int, vtkInformation* info)
 {

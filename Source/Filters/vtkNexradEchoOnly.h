@@ -69,8 +69,8 @@ public:
   ///@}
 
 protected:
-  vtkNexradEchoOnly();
-  ~vtkNexradEchoOnly() override;
+  vtkNexradEchoOnly() = default;
+  ~vtkNexradEchoOnly() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(

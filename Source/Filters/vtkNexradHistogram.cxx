@@ -26,8 +26,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
-#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkNexradHistogram);
@@ -35,7 +33,7 @@ vtkStandardNewMacro(vtkNexradHistogram);
 namespace
 {
 
-constexpr std::size_t codeCount = 256;
+constexpr std::size_t codeCount = nexrad::VoxelCodes::Count;
 constexpr double mostBins = 4096.0;
 constexpr double binsOfUsualRange = 150.0;
 constexpr auto echo = static_cast<unsigned char>(nexrad::VoxelState::Echo);
@@ -129,16 +127,24 @@ std::vector<double> CountBins(const Voxels& voxels, std::size_t bins, const BinO
   return counts;
 }
 
-// Least and greatest value; nothing where there is none.
-struct FindRange
+// Calls `use` with the values of an array, as values of its type.
+template <class Use>
+void WithValues(vtkDataArray* array, const Use& use)
+{
+  const auto useTyped = [&use](auto* typed) { use(vtk::DataArrayValueRange<1>(typed)); };
+  if (!vtkArrayDispatch::Dispatch::Execute(array, useTyped))
+  {
+    useTyped(array);
+  }
+}
+
+// Least and greatest value; the least above the greatest where there is none.
+Range FindRange(vtkDataArray* array, const Voxels& voxels)
 {
   Range range = {std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
-
-  template <class Array>
-  void operator()(Array* array, const Voxels& voxels)
+  vtkSMPThreadLocal<Range> parts(range);
+  const auto find = [&](const auto& values)
   {
-    const auto values = vtk::DataArrayValueRange<1>(array);
-    vtkSMPThreadLocal<Range> parts(this->range);
     vtkSMPTools::For(0, voxels.count,
       [&](vtkIdType first, vtkIdType last)
       {
@@ -154,36 +160,13 @@ struct FindRange
         }
         parts.Local() = part;
       });
-    for (const Range& part : parts)
-    {
-      this->range = {std::min(this->range[0], part[0]), std::max(this->range[1], part[1])};
-    }
-  }
-};
-
-struct FillBins
-{
-  template <class Array>
-  void operator()(Array* array, const Voxels& voxels, Bins& bins)
+  };
+  WithValues(array, find);
+  for (const Range& part : parts)
   {
-    const auto values = vtk::DataArrayValueRange<1>(array);
-    const std::size_t none = bins.voxels.size();
-    const auto binOf = [&](vtkIdType voxel)
-    {
-      const auto value = static_cast<double>(values[voxel]);
-      return voxels.Has(voxel) && std::isfinite(value) ? bins.Of(value) : none;
-    };
-    bins.voxels = CountBins(voxels, none, binOf);
+    range = {std::min(range[0], part[0]), std::max(range[1], part[1])};
   }
-};
-
-template <class Worker, class... Arguments>
-void Dispatch(Worker& worker, vtkDataArray* array, Arguments&&... arguments)
-{
-  if (!vtkArrayDispatch::Dispatch::Execute(array, worker, arguments...))
-  {
-    worker(array, arguments...);
-  }
+  return range;
 }
 
 // The least of 1, 2 and 5 times a power of ten that is not below a width.
@@ -229,14 +212,15 @@ struct Code
 
 // Those that stand for values, in the order of these.
 std::vector<Code> CodesOf(
-  const double* values, const unsigned char* states, const std::vector<double>& counts)
+  vtkDataArray* values, const unsigned char* states, const std::vector<double>& counts)
 {
   std::vector<Code> codes;
   for (std::size_t code = 0; code < codeCount; ++code)
   {
-    if ((!states || states[code] == echo) && std::isfinite(values[code]))
+    const double value = values->GetComponent(static_cast<vtkIdType>(code), 0);
+    if ((!states || states[code] == echo) && std::isfinite(value))
     {
-      codes.push_back({values[code], values[code], values[code], counts[code]});
+      codes.push_back({value, value, value, counts[code]});
     }
   }
   std::sort(
@@ -267,33 +251,16 @@ void Spread(const Code& code, Bins& bins)
   }
 }
 
-// The values of an image's codes; nothing where its scalars are no codes.
-std::optional<std::array<double, codeCount>> CodeValuesOf(
-  vtkImageData* image, vtkDataArray* array, const std::string& name)
-{
-  vtkDataArray* table = image->GetFieldData()->GetArray((name + "_code_values").c_str());
-  if (!vtkUnsignedCharArray::SafeDownCast(array) || !table ||
-      table->GetNumberOfValues() != static_cast<vtkIdType>(codeCount))
-  {
-    return std::nullopt;
-  }
-  std::array<double, codeCount> values{};
-  for (std::size_t code = 0; code < codeCount; ++code)
-  {
-    values[code] = table->GetComponent(static_cast<vtkIdType>(code), 0);
-  }
-  return values;
-}
-
+// `values`: of the codes.
 Bins CountCodes(vtkImageData* image, vtkUnsignedCharArray* array, const std::string& name,
-  const std::array<double, codeCount>& values, vtkIdType most, double width)
+  vtkDataArray* values, vtkIdType most, double width)
 {
   const unsigned char* of = array->GetPointer(0);
   const std::vector<double> counts = CountBins(VoxelsOf(image, "", most), codeCount,
     [of](vtkIdType voxel) { return static_cast<std::size_t>(of[voxel]); });
   const unsigned char* states = vtkNexradFindValues<vtkUnsignedCharArray>(
     image->GetFieldData(), name + "_code_states", codeCount);
-  std::vector<Code> codes = CodesOf(values.data(), states, counts);
+  std::vector<Code> codes = CodesOf(values, states, counts);
   codes.erase(
     std::remove_if(codes.begin(), codes.end(), [](const Code& code) { return code.voxels == 0.0; }),
     codes.end());
@@ -313,15 +280,23 @@ Bins CountValues(
   vtkImageData* image, vtkDataArray* array, const std::string& name, vtkIdType most, double width)
 {
   const Voxels voxels = VoxelsOf(image, name, most);
-  FindRange find;
-  Dispatch(find, array, voxels);
-  if (find.range[0] > find.range[1])
+  const Range range = FindRange(array, voxels);
+  if (range[0] > range[1])
   {
     return {};
   }
-  Bins bins = MakeBins(name, width, find.range);
-  FillBins fill;
-  Dispatch(fill, array, voxels, bins);
+  Bins bins = MakeBins(name, width, range);
+  const std::size_t none = bins.voxels.size();
+  const auto count = [&](const auto& values)
+  {
+    bins.voxels = CountBins(voxels, none,
+      [&](vtkIdType voxel)
+      {
+        const auto value = static_cast<double>(values[voxel]);
+        return voxels.Has(voxel) && std::isfinite(value) ? bins.Of(value) : none;
+      });
+  };
+  WithValues(array, count);
   return bins;
 }
 
@@ -342,25 +317,10 @@ void ToTable(const Bins& bins, vtkTable* table)
 
 } // namespace
 
-vtkNexradHistogram::vtkNexradHistogram() = default;
-
-vtkNexradHistogram::~vtkNexradHistogram() = default;
-
 int vtkNexradHistogram::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
   return 1;
-}
-
-void vtkNexradHistogram::Count(vtkImageData* image, vtkTable* table)
-{
-  vtkDataArray* array = FindArray(image, this->ArrayName);
-  const std::string name = array->GetName() ? array->GetName() : "";
-  const auto values = CodeValuesOf(image, array, name);
-  ToTable(values ? CountCodes(image, vtkUnsignedCharArray::SafeDownCast(array), name, *values,
-                     this->MaximumNumberOfVoxels, this->BinWidth)
-                 : CountValues(image, array, name, this->MaximumNumberOfVoxels, this->BinWidth),
-    table);
 }
 
 int vtkNexradHistogram::RequestData(
@@ -375,7 +335,13 @@ int vtkNexradHistogram::RequestData(
   }
   try
   {
-    this->Count(image, table);
+    vtkDataArray* array = FindArray(image, this->ArrayName);
+    const std::string name = array->GetName() ? array->GetName() : "";
+    vtkDataArray* values = vtkNexradFindCodeValues(image, name);
+    ToTable(values ? CountCodes(image, vtkUnsignedCharArray::SafeDownCast(array), name, values,
+                       this->MaximumNumberOfVoxels, this->BinWidth)
+                   : CountValues(image, array, name, this->MaximumNumberOfVoxels, this->BinWidth),
+      table);
   }
   catch (const nexrad::Error& error)
   {

@@ -28,8 +28,6 @@
 
 #include <string> // For members
 
-class vtkImageData;
-
 class VTKNEXRADFILTERS_EXPORT vtkNexradHistogram : public vtkTableAlgorithm
 {
 public:
@@ -65,8 +63,8 @@ public:
   ///@}
 
 protected:
-  vtkNexradHistogram();
-  ~vtkNexradHistogram() override;
+  vtkNexradHistogram() = default;
+  ~vtkNexradHistogram() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(
@@ -79,8 +77,6 @@ protected:
 private:
   vtkNexradHistogram(const vtkNexradHistogram&) = delete;
   void operator=(const vtkNexradHistogram&) = delete;
-
-  void Count(vtkImageData* image, vtkTable* table);
 };
 
 #endif

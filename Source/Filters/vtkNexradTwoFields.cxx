@@ -69,22 +69,9 @@ vtkDataArray* FindFieldArray(vtkImageData* image, const std::string& name)
 
 std::vector<float> ValuesOf(vtkDataArray* array)
 {
-  std::vector<float> values(static_cast<std::size_t>(array->GetNumberOfTuples()));
-  if (auto* floats = vtkFloatArray::SafeDownCast(array))
-  {
-    std::copy_n(floats->GetPointer(0), values.size(), values.begin());
-    return values;
-  }
-  if (auto* bytes = vtkUnsignedCharArray::SafeDownCast(array))
-  {
-    std::copy_n(bytes->GetPointer(0), values.size(), values.begin());
-    return values;
-  }
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    values[i] = static_cast<float>(array->GetComponent(static_cast<vtkIdType>(i), 0));
-  }
-  return values;
+  vtkNew<vtkFloatArray> floats;
+  floats->DeepCopy(array); // which converts
+  return {floats->GetPointer(0), floats->GetPointer(0) + array->GetNumberOfTuples()};
 }
 
 const unsigned char* FindBytes(vtkImageData* image, const std::string& name)
@@ -158,10 +145,6 @@ void SetGhosts(vtkImageData* image, const std::string& name)
 
 } // namespace
 
-vtkNexradTwoFields::vtkNexradTwoFields() = default;
-
-vtkNexradTwoFields::~vtkNexradTwoFields() = default;
-
 bool vtkNexradTwoFields::GetUsualRange(const char* array, double range[2])
 {
   const std::string name = array ? array : "";
@@ -191,8 +174,7 @@ int vtkNexradTwoFields::RequestInformation(
 
 void vtkNexradTwoFields::Combine(vtkImageData* image)
 {
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  const std::string active = scalars && scalars->GetName() ? scalars->GetName() : "";
+  const std::string active = vtkNexradScalarsName(image);
   const std::string opacityName = this->OpacityArrayName.empty() ? active : this->OpacityArrayName;
   std::vector<float> colors = ValuesOf(FindFieldArray(image, this->ColorArrayName));
   MarkMissing(image, this->ColorArrayName, colors);

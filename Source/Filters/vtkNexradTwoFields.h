@@ -84,8 +84,8 @@ public:
   vtkIdType GetNumberOfMissingValues() const { return this->NumberOfMissingValues; }
 
 protected:
-  vtkNexradTwoFields();
-  ~vtkNexradTwoFields() override;
+  vtkNexradTwoFields() = default;
+  ~vtkNexradTwoFields() override = default;
 
   int RequestInformation(
     vtkInformation*, vtkInformationVector** input, vtkInformationVector* output) override;

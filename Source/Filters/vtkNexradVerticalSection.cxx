@@ -21,18 +21,6 @@ vtkStandardNewMacro(vtkNexradVerticalSection);
 namespace
 {
 
-nexrad::MomentName MomentOf(vtkImageData* volume)
-{
-  vtkDataArray* scalars = volume->GetPointData()->GetScalars();
-  const std::string name = scalars && scalars->GetName() ? scalars->GetName() : "";
-  const auto moment = nexrad::ParseMomentName(name);
-  if (!moment)
-  {
-    throw nexrad::Error("the volume's active scalars are no radar moment: '" + name + "'");
-  }
-  return *moment;
-}
-
 void Fill(const nexrad::VerticalSection& section, const std::string& name, vtkImageData* image)
 {
   const auto [along, upward] = section.dimensions;
@@ -55,10 +43,6 @@ void Fill(const nexrad::VerticalSection& section, const std::string& name, vtkIm
 }
 
 } // namespace
-
-vtkNexradVerticalSection::vtkNexradVerticalSection() = default;
-
-vtkNexradVerticalSection::~vtkNexradVerticalSection() = default;
 
 int vtkNexradVerticalSection::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
@@ -83,12 +67,12 @@ int vtkNexradVerticalSection::RequestUpdateExtent(
 
 void vtkNexradVerticalSection::Cut(vtkImageData* volume, vtkImageData* section)
 {
-  const nexrad::MomentName moment = MomentOf(volume);
+  const nexrad::MomentName moment = vtkNexradScalarsMoment(volume);
   const std::string name = nexrad::ToString(moment);
   nexrad::SectionSampling sampling;
   sampling.line = {{this->A[0], this->A[1]}, {this->B[0], this->B[1]}};
   sampling.dimensions = {this->SamplesAlong, this->SamplesUpward};
-  sampling.interpolation = nexrad::UsualInterpolation(moment);
+  sampling.moment = moment;
   const auto voxels = vtkNexradVoxels::Require(volume, name);
   const nexrad::VoxelSource source{[voxels](std::size_t voxel) { return voxels.State(voxel); },
     [voxels](std::size_t voxel) { return voxels.Value(voxel); }};

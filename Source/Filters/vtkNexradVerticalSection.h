@@ -63,8 +63,8 @@ public:
   ///@}
 
 protected:
-  vtkNexradVerticalSection();
-  ~vtkNexradVerticalSection() override;
+  vtkNexradVerticalSection() = default;
+  ~vtkNexradVerticalSection() override = default;
 
   int RequestInformation(
     vtkInformation*, vtkInformationVector** input, vtkInformationVector* output) override;

@@ -9,7 +9,7 @@
 #include "vtkNexradVolumeReader.h"
 #include "vtkNexradVolumeWriter.h"
 
-#include "nexrad/Grid/VoxelBlock.h"
+#include "nexrad/Grid/GridSpecification.h"
 #include "nexrad/Model/Time.h"
 
 #include "vtkCompositeDataSet.h"

@@ -2,7 +2,7 @@
 #include "vtkNexradTwoFields.h"
 
 #include "EventCounter.h"
-#include "nexrad/Grid/VolumeMoments.h"
+#include "nexrad/Grid/GriddedVolume.h"
 #include "vtkNexradImageConversion.h"
 
 #include "vtkDataArray.h"

@@ -11,7 +11,6 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
-#include <memory>
 #include <new>
 #include <optional>
 #include <ostream>
@@ -28,30 +27,26 @@ namespace
 /// As long as it lives, control characters that are written to a stream appear as text: a file's
 /// name can neither move the cursor nor colour or clear the terminal. "\x1b" takes the place of the
 /// escape character. Line ends, tabs and carriage returns, and all bytes of other characters, stay.
-class PrintableOutput
+class PrintableOutput : private std::streambuf
 {
 public:
-  /// `stream` is not owned, and must outlive this.
-  explicit PrintableOutput(std::ostream& stream);
-  ~PrintableOutput();
+  /// `theStream` is not owned, and must outlive this.
+  explicit PrintableOutput(std::ostream& theStream)
+    : stream(theStream)
+    , target(theStream.rdbuf(this))
+  {
+  }
+
+  ~PrintableOutput() override
+  {
+    stream.flush();
+    stream.rdbuf(target);
+  }
+
   PrintableOutput(const PrintableOutput&) = delete;
   PrintableOutput& operator=(const PrintableOutput&) = delete;
 
 private:
-  std::ostream& stream;
-  std::streambuf* const before;
-  const std::unique_ptr<std::streambuf> filter;
-};
-
-class PrintableBuffer : public std::streambuf
-{
-public:
-  explicit PrintableBuffer(std::streambuf* theTarget)
-    : target(theTarget)
-  {
-  }
-
-protected:
   int_type overflow(int_type value) override
   {
     if (traits_type::eq_int_type(value, traits_type::eof()))
@@ -67,7 +62,6 @@ protected:
 
   int sync() override { return target->pubsync(); }
 
-private:
   bool PutByte(unsigned char byte)
   {
     const int_type put = target->sputc(static_cast<char>(byte));
@@ -81,23 +75,10 @@ private:
     return target->sputn(code.data(), length) == length;
   }
 
+  std::ostream& stream;
   std::streambuf* const target;
   unsigned char before = 0;
 };
-
-PrintableOutput::PrintableOutput(std::ostream& theStream)
-  : stream(theStream)
-  , before(theStream.rdbuf())
-  , filter(std::make_unique<PrintableBuffer>(before))
-{
-  stream.rdbuf(filter.get());
-}
-
-PrintableOutput::~PrintableOutput()
-{
-  stream.flush();
-  stream.rdbuf(before);
-}
 
 // "nexrad3d grid": what the user called.
 std::string CalledName(const CLI::App& program)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Commands/Command.h"
+#include "Commands/CommandLine.h"
 
-#include "Options/GridOptions.h"
 #include "Options/ThreadOptions.h"
 #include "Options/UnitOptions.h"
 #include "Output/BiasOutput.h"
@@ -10,15 +9,14 @@
 #include "Output/ProgressBar.h"
 #include "Parallel/JoinedProcesses.h"
 #include "Volumes/WriteVolumes.h"
+#include "vtkNexradProcesses.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <iostream>
 #include <memory>
-#include <optional>
 #include <string>
-#include <utility>
 
 namespace nexrad::application
 {
@@ -32,41 +30,13 @@ struct GridCommandOptions
   bool json = false;
   // Until the program has said what went wrong: mpiexec ends all processes as soon as one has left
   // them with a failure.
-  std::optional<JoinedProcesses> joined;
+  std::shared_ptr<vtkMultiProcessController> joined;
 };
-
-VolumeFormat ParseFormat(const std::string& text)
-{
-  constexpr std::pair<const char*, VolumeFormat> names[] = {
-    {"nxv", VolumeFormat::Nxv}, {"nc", VolumeFormat::NetCDF}};
-  for (const auto& [name, format] : names)
-  {
-    if (text == name)
-    {
-      return format;
-    }
-  }
-  throw Error("'" + text + "' is no format of volumes; write nxv or nc");
-}
-
-NxvEncoding ParseCode(const std::string& text)
-{
-  constexpr std::pair<const char*, NxvEncoding> names[] = {
-    {"radar", NxvEncoding::RadarSteps}, {"exact", NxvEncoding::Float}};
-  for (const auto& [name, encoding] : names)
-  {
-    if (text == name)
-    {
-      return encoding;
-    }
-  }
-  throw Error("'" + text + "' is no code of volumes; write radar or exact");
-}
 
 // Which formats have which options.
 void CheckFormat(const GridJob& job)
 {
-  if (job.written.nxv.encoding && job.written.format != VolumeFormat::Nxv)
+  if (job.written.encoding && job.written.format != VolumeFormat::Nxv)
   {
     throw CLI::ValidationError("--code", "is of --format nxv alone");
   }
@@ -85,9 +55,14 @@ std::string HistoryOf(const CLI::App& command)
 {
   std::string history = "nexrad3d " NEXRAD_VERSION " grid";
   history += command.count("--per-radar") > 0 ? " --per-radar" : "";
-  for (const OptionText& option : GivenGridOptions(command))
+  for (const Setting<MergeOptions>& setting : MergeSettings())
   {
-    history += ' ' + option.name + (option.value.empty() ? "" : ' ' + option.value);
+    const std::string name = setting.Option();
+    if (setting.use == SettingUse::Result && command.count(name) > 0)
+    {
+      history += ' ' + name;
+      history += setting.IsFlag() ? "" : ' ' + command.get_option(name)->as<std::string>();
+    }
   }
   return history;
 }
@@ -108,7 +83,7 @@ void PrintReport(const GridReport& report, const char* noun, QualityLevel level)
   PrintBiases(report.comparison, report.takenOff, std::cout);
 }
 
-void PrintJson(const GridReport& report)
+nlohmann::ordered_json MakeJson(const GridReport& report)
 {
   nlohmann::ordered_json json = {{"index", report.indices.front().string()},
     {"volumes", nlohmann::ordered_json::array()}, {"bytes", report.bytes},
@@ -123,13 +98,13 @@ void PrintJson(const GridReport& report)
   {
     json["indices"].push_back(index.string());
   }
-  // A file's name need not be UTF-8; JSON must be.
-  std::cout << json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+  return json;
 }
 
 int RunGrid(GridCommandOptions& options)
 {
-  const Processes processes = options.joined.emplace().Get();
+  options.joined = JoinProcesses();
+  const Processes processes = vtkNexradProcessesOf(options.joined.get());
   ProgressBar bar("merging", options.quiet || !processes.IsFirst());
   WatchStopSignals();
   const GridReport report = WriteVolumes(
@@ -142,20 +117,14 @@ int RunGrid(GridCommandOptions& options)
   }
   if (options.json)
   {
-    PrintJson(report);
+    PrintJson(MakeJson(report));
   }
   else if (!options.quiet)
   {
     PrintReport(report, options.job.oneFile ? "file" : "volume", options.job.options.quality.level);
   }
-  for (const std::string& problem : report.problems)
-  {
-    PrintMessage(problem);
-  }
-  for (const std::string& note : report.notes)
-  {
-    PrintMessage(note);
-  }
+  PrintMessages(report.problems);
+  PrintMessages(report.notes);
   return status;
 }
 
@@ -175,17 +144,20 @@ void AddGridCommand(CLI::App& program, CommandAction& action)
       "Folder that takes the volumes and their index; made when it does not exist")
     ->required()
     ->type_name("DIR");
-  AddParsedOption(*command, "--format", options->job.written.format, ParseFormat, "NAME",
+  const auto formats = ChoiceValue<VolumeFormat>(
+    "format of volumes", {{"nxv", VolumeFormat::Nxv}, {"nc", VolumeFormat::NetCDF}});
+  AddValueOption(*command, "--format", options->job.written.format, formats,
     "nxv: compressed volumes of this project; nc: NetCDF with the CF conventions, for other "
-    "programs",
-    "nxv");
+    "programs");
   command->add_flag("--one-file", options->job.oneFile,
     "Write all times into one file, volumes.nc (default: a file for each time); of --format nc");
   command->add_flag("--per-radar", options->job.perRadar,
     "Write a volume of each radar alone, on the grid of all, with azimuth, elevation, slant range "
     "and "
     "age, as multi-Doppler analysis needs them (default: merge the radars)");
-  AddParsedOption(*command, "--code", options->job.written.nxv.encoding, ParseCode, "NAME",
+  const auto codes = ChoiceValue<NxvEncoding>(
+    "code of volumes", {{"radar", NxvEncoding::RadarSteps}, {"exact", NxvEncoding::Float}});
+  AddParsedOption(*command, "--code", options->job.written.encoding, codes.parse, codes.unit,
     "How nxv stores values: radar (the steps that the radar sends; half dBZ for REF), or exact "
     "(default: radar; of the method thesis its own code, whole dBZ from 1 to 80)");
   command->add_flag(

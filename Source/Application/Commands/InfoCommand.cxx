@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Commands/Command.h"
+#include "Commands/CommandLine.h"
 
 #include "Commands/InfoReport.h"
+#include "Options/UnitOptions.h"
 #include "Output/BiasOutput.h"
 #include "Output/ExplainedRead.h"
 #include "Output/MessageOutput.h"
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,14 +30,13 @@ namespace
 struct InfoOptions
 {
   std::vector<std::string> files;
-  std::vector<std::string> gates;
+  InfoRequest request;
   std::string site;
-  std::string position;
+  std::optional<Position> position;
   bool json = false;
-  bool echo = false;
 };
 
-std::optional<GateRequest> ParseGate(const std::string& text)
+GateRequest ParseGate(const std::string& text)
 {
   unsigned sweep = 0;
   unsigned ray = 0;
@@ -45,12 +46,12 @@ std::optional<GateRequest> ParseGate(const std::string& text)
   if (!digits || std::sscanf(text.c_str(), "%5u,%5u,%5u%n", &sweep, &ray, &gate, &used) != 3 ||
       used != static_cast<int>(text.size()))
   {
-    return std::nullopt;
+    throw Error("'" + text + "' is no SWEEP,RAY,GATE, for example 0,12,345");
   }
-  return GateRequest{sweep, ray, gate};
+  return {sweep, ray, gate};
 }
 
-std::optional<Position> ParsePosition(const std::string& text)
+Position ParsePosition(const std::string& text)
 {
   Position place;
   int used = 0;
@@ -59,22 +60,11 @@ std::optional<Position> ParsePosition(const std::string& text)
       used != static_cast<int>(text.size()) || !(std::abs(place.latitude) <= 90.0) ||
       !(std::abs(place.longitude) <= 180.0) || !(std::abs(place.altitude) < 10'000.0))
   {
-    return std::nullopt;
+    throw Error("'" + text +
+                "' is no LATITUDE,LONGITUDE,ALTITUDE in degrees and metres, for example "
+                "38.70,-90.68,219");
   }
   return place;
-}
-
-std::string CheckGate(const std::string& text)
-{
-  return ParseGate(text) ? "" : "'" + text + "' is no SWEEP,RAY,GATE, for example 0,12,345";
-}
-
-std::string CheckPosition(const std::string& text)
-{
-  return ParsePosition(text) ? ""
-                             : "'" + text +
-                                 "' is no LATITUDE,LONGITUDE,ALTITUDE in degrees and metres, for "
-                                 "example 38.70,-90.68,219";
 }
 
 // Names each request that a file cannot answer; true when there was one.
@@ -95,19 +85,6 @@ bool NameMissingGates(const RadarVolume& volume, const std::vector<GateRequest>&
   return missing;
 }
 
-void PrintJson(nlohmann::ordered_json& report, const BiasReport& comparison)
-{
-  for (nlohmann::ordered_json& file : report)
-  {
-    if (!comparison.IsEmpty() && file["site"].is_string())
-    {
-      AddBiasOf(file["site"], comparison, file);
-    }
-  }
-  // A file's name need not be UTF-8; JSON must be.
-  std::cout << report.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
-}
-
 // What is said of the files so far.
 struct InfoOutput
 {
@@ -121,11 +98,7 @@ struct InfoOutput
 // Says what is in the files, and fills the rest of the output.
 void ReadSubjects(const InfoOptions& options, const Level2Options& readOptions, InfoOutput& output)
 {
-  InfoRequest request{options.echo, {}};
-  for (const std::string& gate : options.gates)
-  {
-    request.gates.push_back(*ParseGate(gate));
-  }
+  const InfoRequest& request = options.request;
   const std::vector<InputSubject> subjects = FindSubjects(options.files, output.anyDamage);
   ExplainedReader reader(subjects, readOptions);
   for (const InputSubject& subject : subjects)
@@ -157,7 +130,7 @@ int RunInfo(const InfoOptions& options)
 {
   Level2Options readOptions;
   readOptions.siteName = options.site;
-  readOptions.position = ParsePosition(options.position);
+  readOptions.position = options.position;
   if (!options.site.empty() && FindSite(options.site) == nullptr && !readOptions.position)
   {
     PrintMessage("nexrad3d info: --site: unknown site '" + options.site +
@@ -169,7 +142,14 @@ int RunInfo(const InfoOptions& options)
   const BiasReport comparison = CompareRadars(output.echoes);
   if (options.json)
   {
-    PrintJson(output.report, comparison);
+    for (nlohmann::ordered_json& file : output.report)
+    {
+      if (!comparison.IsEmpty() && file["site"].is_string())
+      {
+        AddBiasOf(file["site"], comparison, file);
+      }
+    }
+    PrintJson(output.report);
   }
   else
   {
@@ -196,21 +176,30 @@ void AddInfoCommand(CLI::App& program, CommandAction& action)
     ->required();
   command->add_flag("--json", options->json,
     "print JSON: metres, degrees, metres a second, UTC (default: a table)");
-  command->add_flag("--echo", options->echo,
+  command->add_flag("--echo", options->request.echo,
     "count what quality control finds in the reflectivity: echo of weather, and of what else");
+  const auto takeGates = [options](const std::vector<std::string>& texts)
+  {
+    try
+    {
+      std::transform(
+        texts.begin(), texts.end(), std::back_inserter(options->request.gates), ParseGate);
+    }
+    catch (const Error& error)
+    {
+      throw CLI::ValidationError("--gate", error.what());
+    }
+  };
   command
-    ->add_option("--gate", options->gates,
+    ->add_option_function<std::vector<std::string>>("--gate", takeGates,
       "SWEEP,RAY,GATE, each counted from 0: print what this gate holds; may be given many times")
-    ->allow_extra_args(false)
-    ->check(CLI::Validator(CheckGate, ""));
+    ->allow_extra_args(false);
   command->add_option("--site", options->site,
     "name of the radar, in place of the one in the files (default: from the file, else from its "
     "name)");
-  command
-    ->add_option("--position", options->position,
-      "LATITUDE,LONGITUDE,ALTITUDE of the antenna, degrees and metres above mean sea level "
-      "(default: from the file, else from the site table)")
-    ->check(CLI::Validator(CheckPosition, ""));
+  AddParsedOption(*command, "--position", options->position, ParsePosition, "TEXT",
+    "LATITUDE,LONGITUDE,ALTITUDE of the antenna, degrees and metres above mean sea level "
+    "(default: from the file, else from the site table)");
   command->callback([options, &action] { action = [options] { return RunInfo(*options); }; });
 }
 

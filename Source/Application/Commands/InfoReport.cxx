@@ -57,9 +57,9 @@ Json MakeMoment(const MomentSummary& summary, MomentName name)
 }
 
 // A file that does not tell holds 0, which no radar has.
-Json NyquistOrNull(const Ray& ray)
+Json KnownOrNull(float value)
 {
-  return ray.nyquist > 0.0F ? Json(ray.nyquist) : Json(nullptr);
+  return value > 0.0F ? Json(value) : Json(nullptr);
 }
 
 std::string KnownText(float value, int decimals)
@@ -77,10 +77,8 @@ Json MakeSweep(const Sweep& sweep, std::size_t index, double beamWidth)
     {"elevation_deg", sweep.MedianElevation()}, {"elevation_mean_deg", sweep.MeanElevation()},
     {"waveform", waveform.empty() ? Json(nullptr) : Json(waveform)}, {"rays", sweep.rays.size()},
     {"stray_rays", sweep.StrayRays(beamWidth).size()}, {"first_azimuth_deg", first.azimuth},
-    {"start", FormatIso8601(first.time)}, {"nyquist_m_s", NyquistOrNull(first)},
-    {"unambiguous_range_m",
-      first.unambiguousRange > 0.0F ? Json(first.unambiguousRange) : Json(nullptr)},
-    {"moments", Json::object()}};
+    {"start", FormatIso8601(first.time)}, {"nyquist_m_s", KnownOrNull(first.nyquist)},
+    {"unambiguous_range_m", KnownOrNull(first.unambiguousRange)}, {"moments", Json::object()}};
   for (const MomentName name : AllMoments)
   {
     const MomentSummary summary = Summarize(sweep, name);
@@ -138,22 +136,33 @@ std::string DescribePosition(const Site& site)
   return text.str();
 }
 
-void PrintHead(const RadarVolume& volume, std::ostream& out)
+std::string NameOrUnnamed(const Site& site)
 {
-  out << volume.file << '\n'
-      << "  " << (volume.site.name.empty() ? "unnamed site" : volume.site.name) << ", "
-      << DescribePosition(volume.site) << '\n'
-      << "  ";
+  return site.name.empty() ? "unnamed site" : site.name;
+}
+
+// The rest of a line: what was scanned, and how much of it is there.
+void PrintContents(
+  const RadarVolume& volume, const std::optional<int>& messageType, std::ostream& out)
+{
   if (volume.coveragePatternNumber)
   {
     out << "VCP " << *volume.coveragePatternNumber << ", ";
   }
-  if (volume.messageType)
+  if (messageType)
   {
-    out << "message " << *volume.messageType << ", ";
+    out << "message " << *messageType << ", ";
   }
   out << Counted(volume.sweeps.size(), "sweep") << ", " << Counted(volume.RayCount(), "ray") << ", "
       << (volume.complete ? "complete" : "not complete") << '\n';
+}
+
+void PrintHead(const RadarVolume& volume, std::ostream& out)
+{
+  out << volume.file << '\n'
+      << "  " << NameOrUnnamed(volume.site) << ", " << DescribePosition(volume.site) << '\n'
+      << "  ";
+  PrintContents(volume, volume.messageType, out);
   if (const auto start = volume.Start())
   {
     out << "  " << FormatIso8601(*start) << " to " << FormatIso8601(*volume.End()) << '\n';
@@ -288,14 +297,9 @@ void PrintInfoLine(const RadarVolume& volume, std::ostream& out)
     out << (HoldsMetadataAlone(volume) ? "metadata alone, no ray\n" : "no ray can be read\n");
     return;
   }
-  out << (volume.site.name.empty() ? "unnamed site" : volume.site.name) << ", "
-      << FormatIso8601(*volume.Start()) << " to " << FormatIso8601(*volume.End()) << ", ";
-  if (volume.coveragePatternNumber)
-  {
-    out << "VCP " << *volume.coveragePatternNumber << ", ";
-  }
-  out << Counted(volume.sweeps.size(), "sweep") << ", " << Counted(volume.RayCount(), "ray") << ", "
-      << (volume.complete ? "complete" : "not complete") << '\n';
+  out << NameOrUnnamed(volume.site) << ", " << FormatIso8601(*volume.Start()) << " to "
+      << FormatIso8601(*volume.End()) << ", ";
+  PrintContents(volume, std::nullopt, out);
 }
 
 void PrintInfoTable(const RadarVolume& volume, const InfoRequest& request, std::ostream& out)

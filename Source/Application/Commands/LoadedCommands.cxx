@@ -13,18 +13,11 @@ namespace nexrad::application
 namespace
 {
 
-struct LibraryName
-{
-  const char* file;
-  const char* does;
-  const char* target;
-};
-
-constexpr LibraryName sceneLibrary = {"nexrad3d-scene.so", "draws", "nexrad3d-scene"};
-constexpr LibraryName windowLibrary = {"nexrad3d-window.so", "has the window of view",
+const ProgramLibrary sceneLibrary = {"nexrad3d-scene.so", "draws", "nexrad3d-scene"};
+const ProgramLibrary windowLibrary = {"nexrad3d-window.so", "has the window of view",
   "nexrad3d-window, which needs Qt 5 and VTK's module GUISupportQt"};
 
-void AddLoadedCommand(CLI::App& program, CommandAction& action, const LibraryName& library,
+void AddLoadedCommand(CLI::App& program, CommandAction& action, const ProgramLibrary& library,
   const char* name, const char* description)
 {
   CLI::App* command = program.add_subcommand(name, description);
@@ -32,8 +25,8 @@ void AddLoadedCommand(CLI::App& program, CommandAction& action, const LibraryNam
   {
     try
     {
-      const auto add = reinterpret_cast<AddOptionsFunction>(LoadProgramFunction(
-        library.file, std::string("nexrad3dAddOptions_") + name, library.does, library.target));
+      const auto add = reinterpret_cast<AddOptionsFunction>(
+        LoadProgramFunction(library, std::string("nexrad3dAddOptions_") + name));
       add(*command, action);
     }
     catch (const Error& error)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Commands/Command.h"
+#include "Commands/CommandLine.h"
 
 namespace nexrad::application
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Commands/Command.h"
+#include "Commands/CommandLine.h"
 
 #include "Commands/SimulatedFiles.h"
 #include "Options/UnitOptions.h"
@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -104,18 +103,6 @@ std::vector<SimulatedSite> ParseSites(const std::string& text)
     sites.push_back(site);
   }
   return sites;
-}
-
-Level2Container ParseContainer(const std::string& text)
-{
-  const std::map<std::string, Level2Container> containers = {{"bare", Level2Container::Bare},
-    {"gzip", Level2Container::Gzip}, {"ldm", Level2Container::LdmBzip2}};
-  const auto found = containers.find(text);
-  if (found == containers.end())
-  {
-    throw Error("'" + text + "' is no container; write bare, gzip or ldm");
-  }
-  return found->second;
 }
 
 void SetBiases(const RadarBiases& biases, std::vector<SimulatedSite>& sites)
@@ -224,8 +211,11 @@ void AddSimulateCommand(CLI::App& program, CommandAction& action)
     "How many dB too high each of these radars measures reflectivity", "0 dB");
   command->add_flag("--dual-polarisation", options->day.dualPolarisation,
     "Write the moments ZDR, PHI and RHO too; needs --message-type 31");
-  AddParsedOption(*command, "--container", options->day.container, ParseContainer, "NAME",
-    "bare: messages as they are; gzip: the same, compressed; ldm: bzip2 records", "ldm");
+  const auto containers = ChoiceValue<Level2Container>(
+    "container", {{"bare", Level2Container::Bare}, {"gzip", Level2Container::Gzip},
+                   {"ldm", Level2Container::LdmBzip2}});
+  AddValueOption(*command, "--container", options->day.container, containers,
+    "bare: messages as they are; gzip: the same, compressed; ldm: bzip2 records");
   command->add_option("--seed", options->day.seed, "Seed of the storms and of the noise")
     ->type_name("NUMBER")
     ->capture_default_str();

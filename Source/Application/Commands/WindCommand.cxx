@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Commands/Command.h"
+#include "Commands/CommandLine.h"
 
 #include "Output/ExplainedRead.h"
 #include "Output/MessageOutput.h"
@@ -9,12 +9,9 @@
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
-#include <nlohmann/json_fwd.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <iosfwd>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -125,15 +122,16 @@ public:
   std::optional<WindReport> Report(const RadarVolume& volume)
   {
     constexpr Duration oldest = std::chrono::minutes(30);
-    VelocityVolume velocities = MakeVelocityVolume(volume);
+    const PolarVolume measured = MakePolarVolume(volume, MomentName::VEL);
+    VelocityVolume velocities = MakeVelocityVolume(measured);
     if (velocities.sweeps.empty())
     {
       return std::nullopt;
     }
     const bool follows = last && last->site.name == volume.site.name &&
-                         velocities.start >= last->start && velocities.start - last->end < oldest;
+                         measured.start >= last->start && measured.start - last->end < oldest;
     dealiasOptions.before = follows ? last->profile : WindProfile();
-    WindReport report{volume.file, volume.site, velocities.start, velocities.end, volume.synthetic,
+    WindReport report{volume.file, volume.site, measured.start, measured.end, volume.synthetic,
       Dealias(velocities, dealiasOptions), {}};
     report.profile = FitWindProfile(velocities, profileOptions);
     last = report;
@@ -181,7 +179,7 @@ int RunWind(const WindOptions& options)
   }
   if (options.json)
   {
-    std::cout << result.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+    PrintJson(result);
   }
   return !anyRay ? Failed : anyDamage ? DoneWithDamage : Done;
 }

@@ -10,7 +10,6 @@
 #include "nexrad/Model/Moment.h"
 #include "nexrad/System/AtomicFile.h"
 #include "nexrad/System/Error.h"
-#include "vtkNexradImageConversion.h"
 #include "vtkNexradThreads.h"
 #include "vtkNexradTransferFunction.h"
 #include "vtk_tiff.h"
@@ -19,7 +18,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -38,9 +36,8 @@ namespace
 // A map of one value a column, for other programs.
 struct GeoMap
 {
-  GridSpecification grid;         // of the volume; its columns are the pixels
-  std::vector<float> values;      // east fastest, then north
-  std::vector<VoxelState> states; // where it is not Echo, there is no value
+  GridSpecification grid; // of the volume; its columns are the pixels
+  PlanView view;
   // Red, green, blue and opacity of each column, as a picture of the map shows it.
   std::vector<std::array<unsigned char, 4>> colours;
   std::string title; // what the values are: "Echo top at 18 dBZ"
@@ -187,20 +184,27 @@ void Describe(TIFF* tiff, const GeoMap& map)
   TIFFSetField(tiff, GdalNoValueTag, std::to_string(static_cast<int>(GeoMapNoValue)).c_str());
 }
 
+// What the pixels of a page hold: `numbers` of `bits` each, the last of them of the kind `extra`.
+void SetPixels(
+  TIFF* tiff, const GridSpecification& grid, int numbers, int bits, std::uint16_t extra)
+{
+  TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, static_cast<std::uint32_t>(grid.dimensions[0]));
+  TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, static_cast<std::uint32_t>(grid.dimensions[1]));
+  TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, numbers);
+  TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, 1, &extra);
+  TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, bits);
+  TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_ADOBE_DEFLATE);
+  SetPlace(tiff, grid);
+}
+
 void SetLayout(TIFF* tiff, const GridSpecification& grid)
 {
   constexpr int rowsPerStrip = 64;
-  const std::uint16_t extra = EXTRASAMPLE_UNSPECIFIED;
-  TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, static_cast<std::uint32_t>(grid.dimensions[0]));
-  TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, static_cast<std::uint32_t>(grid.dimensions[1]));
-  TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 2);
-  TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, 1, &extra);
-  TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, 32);
+  SetPixels(tiff, grid, 2, 32, EXTRASAMPLE_UNSPECIFIED);
   TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_IEEEFP);
   TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_SEPARATE);
   TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
   TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, rowsPerStrip);
-  TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_ADOBE_DEFLATE);
 }
 
 // The rows of both bands from the north. False when the disk is full.
@@ -216,8 +220,8 @@ bool WriteRows(TIFF* tiff, const GeoMap& map)
       const std::size_t first = (height - 1 - y) * width;
       for (std::size_t x = 0; x < width; ++x)
       {
-        const VoxelState state = map.states[first + x];
-        const float value = state == VoxelState::Echo ? map.values[first + x] : GeoMapNoValue;
+        const VoxelState state = map.view.states[first + x];
+        const float value = state == VoxelState::Echo ? map.view.values[first + x] : GeoMapNoValue;
         row[x] = band == 0 ? value : static_cast<float>(state);
       }
       if (TIFFWriteScanline(tiff, row.data(), static_cast<std::uint32_t>(y), band) != 1)
@@ -233,21 +237,13 @@ bool WriteRows(TIFF* tiff, const GeoMap& map)
 bool WriteColours(TIFF* tiff, const GeoMap& map)
 {
   constexpr int channels = 4;
-  constexpr int bits = 8;
   const auto width = static_cast<std::size_t>(map.grid.dimensions[0]);
   const auto height = static_cast<std::size_t>(map.grid.dimensions[1]);
-  const std::uint16_t extra = EXTRASAMPLE_UNASSALPHA;
   AddTags(tiff); // a page knows none of the one before
+  SetPixels(tiff, map.grid, channels, 8, EXTRASAMPLE_UNASSALPHA);
   TIFFSetField(tiff, TIFFTAG_SUBFILETYPE, FILETYPE_PAGE);
-  TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, static_cast<std::uint32_t>(width));
-  TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, static_cast<std::uint32_t>(height));
-  TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, channels);
-  TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, 1, &extra);
-  TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, bits);
   TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
   TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_RGB);
-  TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_ADOBE_DEFLATE);
-  SetPlace(tiff, map.grid);
   std::vector<unsigned char> row(channels * width);
   for (std::size_t y = 0; y < height; ++y)
   {
@@ -323,19 +319,17 @@ GeoMap MapOf(vtkImageData* volume, const SceneOptions& options)
 {
   const PlanOptions& plan = options.plan.value();
   const PlanSource source = SourceOf(volume);
-  PlanView view = MakePlanView(source, plan, vtkNexradRangeLoop());
   const VolumeInformation information = ReadVolumeInformation(volume);
   GeoMap map;
-  map.grid = vtkNexradImageToGrid(volume);
-  std::tie(map.title, map.unit) = TermsOf(plan, view, source.voxels.moment);
+  map.grid = source.voxels.grid;
+  map.view = MakePlanView(source, plan, vtkNexradRangeLoop());
+  std::tie(map.title, map.unit) = TermsOf(plan, map.view, source.voxels.moment);
   map.time = information.time.value_or(Time());
   map.synthetic = information.synthetic;
   const std::string array = ToString(source.voxels.moment);
   const ColourScale moment = ScaleOf(array, MakeTransferFunction(options, array));
-  map.colours =
-    ColoursOf(view, ScaleFor(view, plan, information.sites, moment), ThemeOf(options.theme));
-  map.values = std::move(view.values);
-  map.states = std::move(view.states);
+  map.colours = ColoursOf(
+    map.view, ScaleFor(map.view, plan, information.sites, moment), ThemeOf(options.theme));
   return map;
 }
 
@@ -355,7 +349,6 @@ void WriteGeoTiff(
   }
   AddTags(tiff.get());
   SetLayout(tiff.get(), map.grid);
-  SetPlace(tiff.get(), map.grid);
   Describe(tiff.get(), map);
   if (!WriteRows(tiff.get(), map) || !WriteColours(tiff.get(), map))
   {

@@ -135,13 +135,12 @@ public:
     {
       throw Error(std::string("ffmpeg cannot be started: ") + std::strerror(errno));
     }
-    const int code = this->Spawn(arguments, ends[0]);
-    close(ends[0]);
-    input = ends[1];
+    const FileDescriptor readEnd(ends[0]);
+    input = FileDescriptor(ends[1]);
+    const int code = this->Spawn(arguments, readEnd.Number());
     if (code != 0)
     {
-      process = -1;
-      this->Release();
+      std::fclose(complaints);
       throw Error(
         code == ENOENT
           ? "a movie as .mp4 needs the program ffmpeg, which is not installed; .ogv needs none"
@@ -154,7 +153,7 @@ public:
   ~FfmpegProcess()
   {
     this->Wait();
-    this->Release();
+    std::fclose(complaints);
   }
 
   FfmpegProcess(const FfmpegProcess&) = delete;
@@ -164,7 +163,7 @@ public:
   {
     while (size > 0)
     {
-      const ssize_t written = write(input, bytes, size);
+      const ssize_t written = write(input.Number(), bytes, size);
       if (written < 0 && errno == EINTR)
       {
         continue;
@@ -182,11 +181,7 @@ public:
   // Ends the input and waits; true when ffmpeg was content.
   bool Wait()
   {
-    if (input >= 0)
-    {
-      close(input);
-      input = -1;
-    }
+    input.Close();
     if (process > 0)
     {
       waitpid(process, &status, 0);
@@ -228,18 +223,8 @@ private:
     return code;
   }
 
-  void Release()
-  {
-    if (input >= 0)
-    {
-      close(input);
-      input = -1;
-    }
-    std::fclose(complaints);
-  }
-
   std::FILE* complaints;
-  int input = -1;
+  FileDescriptor input;
   pid_t process = -1;
   int status = 0;
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Options/DrawingOptions.h"
 #include "Output/MessageOutput.h"
-#include "Requests/DrawingRequest.h"
 #include "nexrad/System/Progress.h"
 
 #include <filesystem>

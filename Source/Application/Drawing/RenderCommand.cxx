@@ -2,7 +2,6 @@
 #include "Commands/LoadedCommands.h"
 #include "Drawing/Render.h"
 #include "Options/DrawingOptions.h"
-#include "Options/GridOptions.h"
 #include "Options/ThreadOptions.h"
 #include "Options/UnitOptions.h"
 #include "Output/MessageOutput.h"
@@ -12,10 +11,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <locale>
 #include <memory>
-#include <sstream>
 
 namespace nexrad::application
 {

@@ -10,6 +10,7 @@
 #include <vtkNexradTransferFunction.h>
 #include <vtkNexradVolumeScene.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace nexrad::viewer
@@ -17,33 +18,21 @@ namespace nexrad::viewer
 namespace
 {
 
-std::vector<double> IsoValuesOf(vtkNexradTransferFunction* colours)
-{
-  std::vector<double> values;
-  for (int i = 0; i < colours->GetNumberOfIsoValues(); ++i)
-  {
-    values.push_back(colours->GetIsoValue(i));
-  }
-  return values;
-}
-
 // Those of the colour map in use, where the preset or the file has others.
 std::vector<scene::IsoValue> EditedIsoValues(
   const scene::SceneOptions& options, vtkNexradVolumeScene* scene)
 {
   vtkNexradTransferFunction* used = scene->GetTransferFunction();
-  std::vector<scene::IsoValue> edited;
   if (used == nullptr || options.plan)
   {
-    return edited;
+    return {};
   }
-  const std::vector<double> values = IsoValuesOf(used);
-  const auto made = scene::MakeTransferFunction(options, scene::ArrayOf(scene->GetVolume()));
-  for (std::size_t i = 0; values != IsoValuesOf(made) && i < values.size(); ++i)
-  {
-    edited.push_back({values[i], used->Evaluate(vtkNexradTransferFunction::OPACITY, values[i])});
-  }
-  return edited;
+  const std::vector<scene::IsoValue> values = scene::IsoValuesOf(used);
+  const std::vector<scene::IsoValue> unedited =
+    scene::IsoValuesOf(scene::MakeTransferFunction(options, scene::ArrayOf(scene->GetVolume())));
+  const bool same = std::equal(values.begin(), values.end(), unedited.begin(), unedited.end(),
+    [](const scene::IsoValue& a, const scene::IsoValue& b) { return a.value == b.value; });
+  return same ? std::vector<scene::IsoValue>() : values;
 }
 
 } // namespace

@@ -33,16 +33,25 @@ struct GlbMaterial
   bool lit = false;     ///< by the lights of the program that draws it; else it has its colour
 };
 
-/// A mesh with a name, at the place that its points have.
+/// A mesh with a name, at the place that its points have. What is added has coordinates of a scene:
+/// x, y and height in km become m to the east, up and to the south.
 struct GlbMesh
 {
   std::string name;
   GlbShape shape = GlbShape::Triangles;
-  std::vector<std::array<float, 3>> points;  ///< m: x, y up, z
-  std::vector<std::array<float, 3>> normals; ///< one a point, of length 1; none: all empty
-  std::vector<std::uint32_t> indices;        ///< of points
   GlbMaterial material;
-  nlohmann::json extras; ///< an object; null: none
+  std::vector<std::array<float, 3>> points = {};  ///< m: x, y up, z
+  std::vector<std::array<float, 3>> normals = {}; ///< one a point, of length 1; none: all empty
+  std::vector<std::uint32_t> indices = {};        ///< of points
+  nlohmann::json extras = {};                     ///< an object; null: none
+
+  /// Adds a point. The number that it has.
+  std::uint32_t Add(const ScenePoint& point);
+  void AddLine(const GroundLine& line, double height);
+  /// Anticlockwise as seen from outside.
+  void AddTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+  /// Adds triangles, with their normals where they have some: such a mesh is lit.
+  void Add(vtkPolyData* surface);
 };
 
 /// The contents of a binary glTF file.
@@ -58,30 +67,5 @@ struct GlbScene
 /// extension KHR_materials_unlit, which programs may ignore. Meshes without indices are left out.
 /// Throws Error for a scene of more than 4 GiB, which the format cannot hold.
 std::vector<unsigned char> MakeGlb(const GlbScene& scene);
-
-/// Makes a mesh of a binary glTF file of what has coordinates of a scene: the scene's x, y and
-/// height in km become m to the east, up and to the south.
-class MeshBuilder
-{
-public:
-  MeshBuilder(std::string name, GlbShape shape, const Colour& colour, double opacity = 1.0);
-
-  /// Adds a point. The number that it has.
-  std::uint32_t Add(const ScenePoint& point);
-  void AddLine(const GroundLine& line, double height);
-  /// Anticlockwise as seen from outside.
-  void AddTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
-  /// Adds triangles, with their normals where they have some: such a mesh is lit.
-  void Add(vtkPolyData* surface);
-
-  std::size_t Triangles() const { return mesh.indices.size() / 3; }
-  void SetExtras(nlohmann::json extras) { mesh.extras = std::move(extras); }
-
-  /// The mesh; the builder is empty then.
-  GlbMesh Take() { return std::move(mesh); }
-
-private:
-  GlbMesh mesh;
-};
 
 } // namespace nexrad::scene

@@ -209,16 +209,17 @@ void FillNormals(vtkPolyData* surface)
 
 } // namespace
 
-SurfaceMaker::SurfaceMaker(vtkImageData* volume, const SceneFrame& frame)
+vtkSmartPointer<vtkImageData> MakeCounting(vtkImageData* volume, const SceneFrame& frame)
 {
+  auto counting = vtkSmartPointer<vtkImageData>::New();
   counting->CopyStructure(volume);
   counting->GetPointData()->SetScalars(CountingValues(SourceOf(volume).voxels));
   frame.MoveToScene(counting);
+  return counting;
 }
 
-SurfaceMaker::~SurfaceMaker() = default;
-
-vtkSmartPointer<vtkPolyData> SurfaceMaker::Make(double value, vtkPlaneCollection* planes) const
+vtkSmartPointer<vtkPolyData> MakeSurface(
+  vtkImageData* counting, double value, vtkPlaneCollection* planes)
 {
   vtkNew<vtkFlyingEdges3D> contour;
   contour->SetInputData(counting);

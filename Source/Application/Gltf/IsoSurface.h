@@ -3,7 +3,6 @@
 
 #include "Scene/Frame/SceneFrame.h"
 
-#include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
 class vtkImageData;
@@ -13,30 +12,24 @@ class vtkPolyData;
 namespace nexrad::scene
 {
 
-/// Makes the surfaces of values of a merged volume.
+/// What the surfaces of a merged volume are made of: its values in coordinates of the scene; not a
+/// number where a voxel does not count.
 ///
 /// Voxels that count are those with an echo; of reflectivity also those that were scanned and had
-/// none, whose value is below that of any surface, so that a surface closes round an echo. Each
-/// corner of a triangle lies between two neighbouring voxels that count, interpolated linearly.
-/// Beside voxels that were not scanned, are range folded or filtered, a surface is open: no wall of
-/// it stands there. It is open at the faces of the volume too.
-class SurfaceMaker
-{
-public:
-  /// `volume`: with the arrays of its moment, as values or as codes. Throws Error for one without.
-  /// `frame` of the volume.
-  SurfaceMaker(vtkImageData* volume, const SceneFrame& frame);
-  ~SurfaceMaker();
-  SurfaceMaker(const SurfaceMaker&) = delete;
-  SurfaceMaker& operator=(const SurfaceMaker&) = delete;
+/// none, whose value is below that of any surface, so that a surface closes round an echo.
+///
+/// `volume`: with the arrays of its moment, as values or as codes. Throws Error for one without.
+/// `frame` of the volume.
+vtkSmartPointer<vtkImageData> MakeCounting(vtkImageData* volume, const SceneFrame& frame);
 
-  /// The triangles of the surface in coordinates of the scene, with normals: means of those of the
-  /// triangles about a corner, by their areas, which point to lower values. The part of it that all
-  /// normals of `planes` point to. No points where no voxel reaches the value.
-  vtkSmartPointer<vtkPolyData> Make(double value, vtkPlaneCollection* planes) const;
-
-private:
-  vtkNew<vtkImageData> counting; ///< values; not a number where a voxel does not count
-};
+/// The triangles of the surface of a value, with normals: means of those of the triangles about a
+/// corner, by their areas, which point to lower values. The part of it that all normals of `planes`
+/// point to. No points where no voxel reaches the value.
+///
+/// Each corner of a triangle lies between two neighbouring voxels that count, interpolated
+/// linearly. Beside voxels that were not scanned, are range folded or filtered, a surface is open:
+/// no wall of it stands there. It is open at the faces of the volume too.
+vtkSmartPointer<vtkPolyData> MakeSurface(
+  vtkImageData* counting, double value, vtkPlaneCollection* planes);
 
 } // namespace nexrad::scene

@@ -4,6 +4,7 @@
 #include "Gltf/Glb.h"
 #include "Gltf/IsoSurface.h"
 #include "Output/OutputFile.h"
+#include "Scene/Captions/Captions.h"
 #include "Scene/EchoFraming.h"
 #include "Scene/Frame/SceneFrame.h"
 #include "Scene/Frame/VolumeInformation.h"
@@ -17,6 +18,7 @@
 #include "nexrad/Model/Moment.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradTransferFunction.h"
+#include "vtkNexradVoxels.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -72,14 +74,14 @@ GlbMesh MakeGround(const SceneFrame& frame, const Theme& theme)
 {
   const auto [west, east, south, north] = Rectangle(frame);
   const double height = HeightOf(frame, GroundLevel::Ground);
-  MeshBuilder ground("ground", GlbShape::Triangles, theme.ground);
+  GlbMesh ground{"ground", GlbShape::Triangles, {theme.ground}};
   const std::uint32_t first = ground.Add({west, south, height});
   ground.Add({east, south, height});
   ground.Add({east, north, height});
   ground.Add({west, north, height});
   ground.AddTriangle(first, first + 1, first + 2);
   ground.AddTriangle(first, first + 2, first + 3);
-  return ground.Take();
+  return ground;
 }
 
 void AddMapLines(const SceneFrame& frame, const Theme& theme, Meshes& meshes)
@@ -90,21 +92,21 @@ void AddMapLines(const SceneFrame& frame, const Theme& theme, Meshes& meshes)
   for (std::size_t i = 0; i < placed.size(); ++i)
   {
     const auto kind = static_cast<MapLineKind>(i);
-    MeshBuilder lines(names[i], GlbShape::Lines, ColourOf(kind, theme));
+    GlbMesh lines{names[i], GlbShape::Lines, {ColourOf(kind, theme)}};
     for (const GroundLine& line : placed[i])
     {
       lines.AddLine(line, HeightOf(frame, LevelOf(kind)));
     }
-    meshes.push_back(lines.Take());
+    meshes.push_back(std::move(lines));
   }
 }
 
 GlbMesh MakeSectionLine(const SceneFrame& frame, const SectionLine& line, const Theme& theme)
 {
-  MeshBuilder section("line of the section", GlbShape::Lines, theme.marker);
+  GlbMesh section{"line of the section", GlbShape::Lines, {theme.marker}};
   section.AddLine({frame.FromVolume(line.from), frame.FromVolume(line.to)},
     HeightOf(frame, GroundLevel::Section));
-  return section.Take();
+  return section;
 }
 
 // A pyramid that stands on its tip.
@@ -114,7 +116,7 @@ GlbMesh MakeRadar(const SceneFrame& frame, const PlacedSite& site, const Theme& 
   const double size = 0.004 * WidthOf(frame);
   const double bottom = HeightOf(frame, GroundLevel::Markers);
   const double top = bottom + 2.0 * size;
-  MeshBuilder radar("radar " + site.name, GlbShape::Triangles, theme.marker);
+  GlbMesh radar{"radar " + site.name, GlbShape::Triangles, {theme.marker}};
   const std::uint32_t tip = radar.Add({x, y, bottom});
   const std::array<std::uint32_t, 4> corners = {radar.Add({x - size, y - size, top}),
     radar.Add({x + size, y - size, top}), radar.Add({x + size, y + size, top}),
@@ -126,14 +128,14 @@ GlbMesh MakeRadar(const SceneFrame& frame, const PlacedSite& site, const Theme& 
   radar.AddTriangle(corners[0], corners[1], corners[2]);
   radar.AddTriangle(corners[0], corners[2], corners[3]);
   const auto [longitude, latitude] = frame.Geographic(x, y);
-  radar.SetExtras({{"latitude", latitude}, {"longitude", longitude}});
-  return radar.Take();
+  radar.extras = {{"latitude", latitude}, {"longitude", longitude}};
+  return radar;
 }
 
 void AddRadars(const SceneFrame& frame, const std::vector<std::string>& sites, double ringSpacing,
   const Theme& theme, Meshes& meshes)
 {
-  MeshBuilder rings("rings of range", GlbShape::Lines, theme.ring);
+  GlbMesh rings{"rings of range", GlbShape::Lines, {theme.ring}};
   for (const PlacedSite& site : PlaceSites(frame, sites))
   {
     for (const GroundLine& ring : PlaceRings(site.place, ringSpacing))
@@ -148,7 +150,7 @@ void AddRadars(const SceneFrame& frame, const std::vector<std::string>& sites, d
       meshes.push_back(MakeRadar(frame, site, theme));
     }
   }
-  meshes.push_back(rings.Take());
+  meshes.push_back(std::move(rings));
 }
 
 // A line of text south of the domain, counted from its edge.
@@ -158,10 +160,10 @@ GlbMesh MakeCaption(
   constexpr double lineHeight = 1.6; // of a letter
   const double size = 0.02 * WidthOf(frame);
   const auto& bounds = frame.Bounds();
-  MeshBuilder caption(text, GlbShape::Triangles, colour);
+  GlbMesh caption{text, GlbShape::Triangles, {colour}};
   caption.Add(MakeGroundText(text, {bounds[0], bounds[2] - lineHeight * size * line},
     HeightOf(frame, GroundLevel::Ground), size));
-  return caption.Take();
+  return caption;
 }
 
 // What lies on the ground under the surfaces of a volume: a plane, the lines of the map, the line
@@ -207,12 +209,7 @@ std::vector<IsoValue> WantedValues(
   std::vector<IsoValue> values = WithOpacities(options.isoValues);
   if (values.empty())
   {
-    for (int i = 0; i < transferFunction->GetNumberOfIsoValues(); ++i)
-    {
-      const double value = transferFunction->GetIsoValue(i);
-      values.push_back(
-        {value, transferFunction->Evaluate(vtkNexradTransferFunction::OPACITY, value)});
-    }
+    values = IsoValuesOf(transferFunction);
   }
   if (values.empty())
   {
@@ -246,29 +243,19 @@ std::vector<GlbMesh> MakeSurfaces(
   const SceneOptions shown = WithSurfaces(options, moment);
   const auto transferFunction = MakeTransferFunction(shown, ToString(moment));
   const std::vector<IsoValue> wanted = WantedValues(shown, transferFunction);
-  const SurfaceMaker maker(volume, frame);
+  const vtkSmartPointer<vtkImageData> counting = MakeCounting(volume, frame);
   const auto planes = CutPlanesOf(options.cut, frame);
   std::vector<GlbMesh> surfaces;
   for (const auto& [value, opacity] : wanted)
   {
-    MeshBuilder surface(
-      NameOf(moment, value), GlbShape::Triangles, ColourAt(transferFunction, value), *opacity);
-    surface.Add(maker.Make(value, planes));
-    surface.SetExtras({{"moment", ToString(moment)}, {"value", value}, {"unit", UnitOf(moment)},
-      {"opacity", *opacity}, {"triangles", surface.Triangles()}});
-    surfaces.push_back(surface.Take());
+    GlbMesh surface{
+      NameOf(moment, value), GlbShape::Triangles, {ColourAt(transferFunction, value), *opacity}};
+    surface.Add(MakeSurface(counting, value, planes));
+    surface.extras = {{"moment", ToString(moment)}, {"value", value}, {"unit", UnitOf(moment)},
+      {"opacity", *opacity}, {"triangles", surface.indices.size() / 3}};
+    surfaces.push_back(std::move(surface));
   }
   return surfaces;
-}
-
-// "Reflectivity, 2006-03-12 18:05:00 UTC".
-std::string CaptionOf(MomentName moment, const std::optional<Time>& time)
-{
-  constexpr std::size_t ofDay = 10;
-  constexpr std::size_t ofTime = 8;
-  const std::string iso = time ? FormatIso8601(*time) : "";
-  return TitleOf(moment) +
-         (time ? ", " + iso.substr(0, ofDay) + " " + iso.substr(ofDay + 1, ofTime) + " UTC" : "");
 }
 
 nlohmann::json ExtrasOf(const VolumeInformation& information, MomentName moment,
@@ -297,19 +284,15 @@ nlohmann::json ExtrasOf(const VolumeInformation& information, MomentName moment,
 GlbScene MakeSurfaceScene(vtkImageData* volume, const SceneOptions& options)
 {
   RadarScene::Check(options, volume);
-  const std::string array = ArrayOf(volume);
-  const auto moment = ParseMomentName(array);
-  if (!moment)
-  {
-    throw Error("the volume's active scalars are no radar moment: '" + array + "'");
-  }
+  const MomentName moment = vtkNexradScalarsMoment(volume);
   const VolumeInformation information = ReadVolumeInformation(volume);
   const SceneFrame frame = FrameVolume(volume, information, MeasureEcho(volume, options), options);
-  const std::string caption = CaptionOf(*moment, information.time);
-  std::vector<GlbMesh> surfaces = MakeSurfaces(volume, *moment, options, frame);
+  const std::string caption =
+    TitleOf(moment) + (information.time ? ", " + TimeText(information) : "");
+  std::vector<GlbMesh> surfaces = MakeSurfaces(volume, moment, options, frame);
   GlbScene scene;
   scene.name = (information.synthetic ? "SYNTHETIC: " : "") + caption;
-  scene.extras = ExtrasOf(information, *moment, frame, surfaces);
+  scene.extras = ExtrasOf(information, moment, frame, surfaces);
   scene.meshes = MakeGroundMeshes(frame, information, options, caption);
   std::move(surfaces.begin(), surfaces.end(), std::back_inserter(scene.meshes));
   return scene;

@@ -22,23 +22,17 @@ fs::path PlaceOf(const std::string& name)
   return fs::exists(built) ? built : folder / ".." / NEXRAD_LIBRARY_FOLDER / "nexrad3d" / name;
 }
 
-fs::path FindLibrary(const std::string& name, const std::string& does, const std::string& target)
-{
-  fs::path place = PlaceOf(name);
-  if (!fs::exists(place))
-  {
-    throw Error(place.lexically_normal().string() + ": the library that " + does +
-                " is missing; build the target " + target + ", or install again");
-  }
-  return place;
-}
-
 } // namespace
 
-AnyFunction LoadProgramFunction(const std::string& library, const std::string& function,
-  const std::string& does, const std::string& target)
+AnyFunction LoadProgramFunction(const ProgramLibrary& library, const std::string& function)
 {
-  const std::string path = FindLibrary(library, does, target).string();
+  const fs::path place = PlaceOf(library.file);
+  if (!fs::exists(place))
+  {
+    throw Error(place.lexically_normal().string() + ": the library that " + library.does +
+                " is missing; build the target " + library.target + ", or install again");
+  }
+  const std::string path = place.string();
   // Never closed: VTK's factories, a graphics driver or MPI keep pointers into it.
   vtksys::DynamicLoader::LibraryHandle handle = vtksys::DynamicLoader::OpenLibrary(path);
   if (handle == nullptr)

@@ -2,7 +2,7 @@
 #include "Libraries/VtkErrors.h"
 
 #include "Output/MessageOutput.h"
-#include "nexrad/System/Error.h"
+#include "nexrad/System/MessageText.h"
 
 #include <vtkLogger.h>
 #include <vtkNew.h>

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options/SessionFile.h"
 
-#include "Options/OptionTexts.h"
 #include "Options/UnitOptions.h"
+#include "nexrad/Archives/StoredFiles.h"
 #include "nexrad/Codec/JsonText.h"
 #include "nexrad/System/AtomicFile.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/MessageText.h"
-#include "nexrad/System/OrdinaryFile.h"
 
 #include <nlohmann/json.hpp>
 
@@ -16,7 +15,6 @@
 #include <exception>
 #include <fstream>
 #include <iterator>
-#include <sstream>
 
 namespace fs = std::filesystem;
 
@@ -199,10 +197,7 @@ void WriteSession(const fs::path& path, const Session& session)
   {
     json["time"] = FormatIso8601(*session.shown);
   }
-  std::ostringstream seconds;
-  seconds.imbue(std::locale::classic());
-  seconds << static_cast<double>(session.interval.count()) / 1000.0 << "s";
-  json["interval"] = seconds.str();
+  json["interval"] = DurationText(session.interval);
   json["options"] = OptionsOf(session);
   if (!session.colours.empty())
   {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Requests/DrawingRequest.h"
+#include "Options/DrawingOptions.h"
 #include "nexrad/Model/Time.h"
 
 #include <filesystem>

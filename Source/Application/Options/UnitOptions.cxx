@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options/UnitOptions.h"
 
+#include "nexrad/System/MachineMemory.h"
+
 namespace nexrad::application
 {
 
@@ -25,6 +27,18 @@ CLI::Option* AddTextOption(CLI::App& command, const std::string& name,
   return command.add_option_function<std::string>(name, store, description)
     ->type_name(unit)
     ->expected(1);
+}
+
+void AddGridOptions(CLI::App& command, MergeOptions& options)
+{
+  options.memoryLimit = {MachineMemory().value_or(0), ""};
+  for (const Setting<MergeOptions>& setting : MergeSettings())
+  {
+    AddSetting(command, setting, options)
+      ->group(setting.use == SettingUse::Machine ? "Memory and threads" : "Merging radar files");
+  }
+  command.parse_complete_callback(
+    [&command, &options] { CheckGiven(command, MergeSettings(), options); });
 }
 
 } // namespace nexrad::application

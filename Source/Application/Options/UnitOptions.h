@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Settings/Setting.h"
+#include "nexrad/Merging/MergeSettings.h"
 
 #include <CLI/CLI.hpp>
 
@@ -20,9 +20,9 @@ CLI::Option* AddTextOption(CLI::App& command, const std::string& name,
 
 /// An option whose text `parse` turns into `value`. `unit` is the placeholder in the help text. The
 /// help text shows `defaultText` when it is not empty.
-template <typename Value, typename Target>
-CLI::Option* AddParsedOption(CLI::App& command, const std::string& name, Target& value,
-  Value (*parse)(const std::string&), const std::string& unit, const std::string& description,
+template <typename Value, typename Parse>
+CLI::Option* AddParsedOption(CLI::App& command, const std::string& name, Value& value,
+  const Parse& parse, const std::string& unit, const std::string& description,
   const std::string& defaultText = "")
 {
   const auto take = [&value, parse](const std::string& text) { value = parse(text); };
@@ -39,8 +39,8 @@ template <typename Value>
 CLI::Option* AddValueOption(CLI::App& command, const std::string& name, Value& value,
   const ValueType<Value>& type, const std::string& description)
 {
-  const auto take = [&value, parse = type.parse](const std::string& text) { value = parse(text); };
-  return AddTextOption(command, name, take, type.unit, description)->default_str(type.text(value));
+  return AddParsedOption(
+    command, name, value, type.parse, type.unit, description, type.text(value));
 }
 
 /// The option of a setting, which stores into `settings`. An empty text is wrong usage. A name with
@@ -93,5 +93,9 @@ void CheckGiven(
     }
   }
 }
+
+/// Adds the options of merging to a command: those of MergeSettings that the program has. They
+/// store into `options`, which must outlive the parsing.
+void AddGridOptions(CLI::App& command, MergeOptions& options);
 
 } // namespace nexrad::application

@@ -77,12 +77,8 @@ Json MakeBiasJson(const BiasReport& report, const RadarBiases& takenOff)
     object.update(MakeDifference(pair, 1.0));
     pairs.push_back(object);
   }
-  Json biases = Json::object();
-  biases.update(Json(report.biases));
-  Json taken = Json::object();
-  taken.update(Json(takenOff));
-  return {
-    {"pairs", pairs}, {"biases_db", biases}, {"alone", report.alone}, {"taken_off_db", taken}};
+  return {{"pairs", pairs}, {"biases_db", report.biases}, {"alone", report.alone},
+    {"taken_off_db", takenOff}};
 }
 
 void AddBiasOf(const std::string& radar, const BiasReport& report, Json& object)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Calibration/RadarComparison.h"
+#include "nexrad/Calibration/RadarBiases.h"
 #include "nexrad/Model/RadarVolume.h"
 
 #include <nlohmann/json_fwd.hpp>

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <iomanip>
+#include <numeric>
 #include <ostream>
 #include <sstream>
 #include <string>
@@ -52,14 +53,10 @@ std::vector<NamedCount> ByClass(const ReasonCounts& counts)
   return named;
 }
 
-std::size_t Sum(const std::vector<NamedCount>& counts)
+// Of all reasons but None.
+std::size_t Sum(const ReasonCounts& counts)
 {
-  std::size_t sum = 0;
-  for (const auto& [name, count] : counts)
-  {
-    sum += count;
-  }
-  return sum;
+  return std::accumulate(counts.begin() + 1, counts.end(), std::size_t(0));
 }
 
 ReasonCounts TakenOut(const ReasonCounts& counts, QualityLevel level)
@@ -109,15 +106,15 @@ Json MakeEchoJson(const ReasonCounts& counts)
   Json taken = Json::object();
   for (const QualityLevel level : levels)
   {
-    taken[ToString(level)] = Sum(ByReason(TakenOut(counts, level)));
+    taken[ToString(level)] = Sum(TakenOut(counts, level));
   }
-  return {{"gates", Sum(ByReason(counts))}, {"classes", ToJson(ByClass(counts))},
+  return {{"gates", Sum(counts)}, {"classes", ToJson(ByClass(counts))},
     {"reasons", ToJson(ByReason(counts))}, {"taken_out", taken}};
 }
 
 void PrintEcho(const ReasonCounts& counts, std::ostream& out)
 {
-  const std::size_t gates = Sum(ByReason(counts));
+  const std::size_t gates = Sum(counts);
   out << "  echo: " << gates << " gates of REF with a value";
   if (gates > 0)
   {
@@ -128,8 +125,8 @@ void PrintEcho(const ReasonCounts& counts, std::ostream& out)
 
 std::string DescribeTakenOut(const ReasonCounts& counts, QualityLevel level)
 {
-  const std::vector<NamedCount> taken = ByReason(TakenOut(counts, level));
-  const std::size_t all = Sum(ByReason(counts));
+  const ReasonCounts taken = TakenOut(counts, level);
+  const std::size_t all = Sum(counts);
   std::ostringstream text;
   text << "quality control (" << ToString(level) << ") took out " << Sum(taken) << " of " << all
        << " gates of REF with a value";
@@ -137,7 +134,7 @@ std::string DescribeTakenOut(const ReasonCounts& counts, QualityLevel level)
   {
     text << " (" << std::fixed << std::setprecision(1)
          << 100.0 * static_cast<double>(Sum(taken)) / static_cast<double>(all)
-         << " %): " << ListOf(taken);
+         << " %): " << ListOf(ByReason(taken));
   }
   return text.str();
 }

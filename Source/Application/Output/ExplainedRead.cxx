@@ -3,7 +3,7 @@
 
 #include "Output/MessageOutput.h"
 #include "nexrad/Archives/StoredFiles.h"
-#include "nexrad/Level2/VolumeEnding.h"
+#include "nexrad/Model/RadarVolume.h"
 #include "nexrad/Series/InputFiles.h"
 #include "nexrad/System/Error.h"
 

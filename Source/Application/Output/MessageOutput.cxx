@@ -3,6 +3,8 @@
 
 #include "nexrad/System/MessageText.h"
 
+#include <nlohmann/json.hpp>
+
 #include <cstddef>
 #include <iostream>
 
@@ -20,6 +22,12 @@ void PrintMessages(const std::vector<std::string>& messages)
   {
     PrintMessage(message);
   }
+}
+
+void PrintJson(const nlohmann::ordered_json& json)
+{
+  // A file's name need not be UTF-8; JSON must be.
+  std::cout << json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
 }
 
 void PrintOutcome(const Outcome& outcome, bool quiet)

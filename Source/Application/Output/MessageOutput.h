@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -18,6 +20,9 @@ inline std::string Counted(std::uintmax_t count, const std::string& noun)
 /// All that the program says there but its progress bar goes through this.
 void PrintMessage(const std::string& message);
 void PrintMessages(const std::vector<std::string>& messages);
+
+/// Writes what is made for programs to standard output.
+void PrintJson(const nlohmann::ordered_json& json);
 
 /// What came of a command; all in lines.
 struct Outcome

@@ -16,6 +16,10 @@ namespace nexrad::application
 namespace
 {
 
+constexpr auto firstShown = std::chrono::seconds(2);
+constexpr auto betweenUpdates = std::chrono::milliseconds(100);
+constexpr int width = 40;
+
 volatile std::sig_atomic_t stopAsked = 0;
 
 void AskToStop(int)
@@ -45,13 +49,6 @@ bool IsStopAsked()
 {
   return stopAsked != 0;
 }
-
-namespace
-{
-constexpr auto firstShown = std::chrono::seconds(2);
-constexpr auto betweenUpdates = std::chrono::milliseconds(100);
-constexpr int width = 40;
-} // namespace
 
 void AddQuietOption(CLI::App& command, bool& quiet)
 {

@@ -37,7 +37,7 @@ public:
   ProgressBar& operator=(const ProgressBar&) = delete;
 
   /// Says that `fraction` (0…1) of the work is done. It can serve as a nexrad::Progress: returns
-  /// false when a signal asked the program to stop (StopSignal.h).
+  /// false when a signal asked the program to stop (IsStopAsked).
   bool Update(double fraction);
 
   /// Wipes the line, so that other output can follow.

@@ -114,13 +114,6 @@ PackedColumns PackColumns(const std::array<int, 3>& size, const Codes& codes)
                 std::to_string(MostPackedLayers) +
                 "; merge with fewer, or write the page into a folder beside the volumes");
   }
-  const std::size_t voxels = static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) *
-                             static_cast<std::size_t>(size[2]);
-  if (codes.size() != voxels)
-  {
-    throw Error("the volume has " + std::to_string(codes.size()) + " codes for " +
-                std::to_string(voxels) + " voxels");
-  }
   return Packer(size, codes).Pack();
 }
 

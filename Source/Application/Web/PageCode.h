@@ -24,7 +24,7 @@ struct PackedColumns
 constexpr int MostPackedLayers = 254;
 
 /// Packs a code for each voxel (x fastest, then y, then z upward); 0 stands for no echo. Throws
-/// Error when there are not as many codes as voxels, and for more than MostPackedLayers layers.
+/// Error for more than MostPackedLayers layers.
 PackedColumns PackColumns(const std::array<int, 3>& size, const std::vector<std::uint8_t>& codes);
 
 /// How a page holds the values of a moment. Its textures have a byte for each voxel: `first` +

@@ -30,21 +30,22 @@
 namespace nexrad::application
 {
 
-/// A number rounded to so many digits after the decimal point, for texts that are to be short.
-inline double Rounded(double value, int digits)
-{
-  const double factor = std::pow(10.0, digits);
-  return std::round(value * factor) / factor;
-}
-
 namespace
 {
 
 using Json = nlohmann::ordered_json;
 
+/// A number rounded to so many digits after the decimal point, for texts that are to be short.
+double Rounded(double value, int digits)
+{
+  const double factor = std::pow(10.0, digits);
+  return std::round(value * factor) / factor;
+}
+
 constexpr int samplesPerByte = 2; // as in Scripts/table.js
 constexpr int samples = 255 * samplesPerByte + 1;
 constexpr double searchStep = 0.01; // of the range of a preset
+constexpr int colourDigits = 4;     // of a part of a colour, or an opacity that stands alone
 constexpr int opacityDigits = 5;    // low opacities add up along a ray
 
 Json MakeSamples(vtkNexradTransferFunction* function, const PageCode& code)
@@ -55,11 +56,11 @@ Json MakeSamples(vtkNexradTransferFunction* function, const PageCode& code)
   for (int sample = 0; sample < samples; ++sample)
   {
     const double value = code.first + code.step * sample / samplesPerByte;
-    std::array<double, 3> colour{};
+    scene::Colour colour{};
     colours->GetColor(value, colour.data());
     for (const double part : colour)
     {
-      json.push_back(Rounded(part, ColourDigits));
+      json.push_back(Rounded(part, colourDigits));
     }
     json.push_back(
       Rounded(function->Evaluate(vtkNexradTransferFunction::OPACITY, value), opacityDigits));
@@ -70,11 +71,9 @@ Json MakeSamples(vtkNexradTransferFunction* function, const PageCode& code)
 Json MakeSurfaces(vtkNexradTransferFunction* function)
 {
   Json json = Json::array();
-  for (int i = 0; i < function->GetNumberOfIsoValues(); ++i)
+  for (const auto& [value, opacity] : scene::IsoValuesOf(function))
   {
-    const double value = function->GetIsoValue(i);
-    const double opacity = function->Evaluate(vtkNexradTransferFunction::OPACITY, value);
-    json.push_back({value, Rounded(opacity, ColourDigits)});
+    json.push_back({value, Rounded(*opacity, colourDigits)});
   }
   return json;
 }
@@ -84,7 +83,7 @@ Json MakeColour(const scene::Colour& colour)
   Json json = Json::array();
   for (const double part : colour)
   {
-    json.push_back(Rounded(part, ColourDigits));
+    json.push_back(Rounded(part, colourDigits));
   }
   return json;
 }
@@ -111,8 +110,8 @@ Json MakeLabels(const scene::ColourScale& scale)
     {"step", scale.step}, {"decimals", scale.decimals}};
 }
 
-} // namespace
-
+// The presets of the moment and, before them, "own" where the options have colours, opacities or
+// iso-values of their own. Throws Error as scene::MakeTransferFunction does.
 PagePresets PresetsOf(const scene::SceneOptions& options, const std::string& array)
 {
   PagePresets presets;
@@ -138,19 +137,18 @@ PagePresets PresetsOf(const scene::SceneOptions& options, const std::string& arr
   return presets;
 }
 
+// The least value at which a preset has an opacity above 0, or the least of its iso-values.
 double LeastVisible(vtkNexradTransferFunction* function)
 {
+  const std::vector<scene::IsoValue> isoValues = scene::IsoValuesOf(function);
+  if (!isoValues.empty())
+  {
+    return std::min_element(isoValues.begin(), isoValues.end(),
+      [](const scene::IsoValue& a, const scene::IsoValue& b) { return a.value < b.value; })
+      ->value;
+  }
   std::array<double, 2> range{};
   function->GetRange(range.data());
-  if (function->GetNumberOfIsoValues() > 0)
-  {
-    double least = function->GetIsoValue(0);
-    for (int i = 1; i < function->GetNumberOfIsoValues(); ++i)
-    {
-      least = std::min(least, function->GetIsoValue(i));
-    }
-    return least;
-  }
   const double step = searchStep * (range[1] - range[0]);
   double value = range[0];
   while (value < range[1] &&
@@ -161,6 +159,7 @@ double LeastVisible(vtkNexradTransferFunction* function)
   return value;
 }
 
+// The least value that the preset of the options shows, or the first preset of its moment.
 double LeastVisible(const PagePresets& presets)
 {
   const auto usual = std::find_if(presets.all.begin(), presets.all.end(),
@@ -169,6 +168,8 @@ double LeastVisible(const PagePresets& presets)
   return usual == presets.all.end() ? least : std::min(least, LeastVisible(usual->function));
 }
 
+// The presets as the page's script takes them; without those that show values below the floor of
+// the code.
 Json MakePresetsJson(const PagePresets& presets, const std::string& array, const PageCode& code)
 {
   Json json = Json::array();
@@ -185,11 +186,6 @@ Json MakePresetsJson(const PagePresets& presets, const std::string& array, const
   }
   return json;
 }
-
-namespace
-{
-
-using Json = nlohmann::ordered_json;
 
 constexpr int placeDigits = 2;    // of km
 constexpr int groundTexels = 512; // along the longer side
@@ -293,8 +289,6 @@ PageScene::PageScene(const scene::DrawingRequest& webRequest, vtkImageData* imag
     (*each)[5] /= frame.Exaggeration();
   }
   array = ToString(volume.moment);
-  method = volume.method;
-  synthetic = volume.synthetic;
   presets = PresetsOf(request.scene, array);
   code = MakeCode(presets, volume);
   volume.values = {};
@@ -373,11 +367,11 @@ std::string PageScene::MakeText(const std::vector<PageTime>& times, const std::s
   const Json offered = MakePresetsJson(presets, array, shownCode);
   const auto shown = std::find_if(offered.begin(), offered.end(),
     [&](const Json& preset) { return preset["name"] == presets.all[presets.first].name; });
-  Json json = {{"title", scale.title}, {"unit", scale.unit}, {"array", array}, {"method", method},
-    {"sites", SitesOf(times)}, {"synthetic", synthetic}, {"masked", code.masked},
-    {"size", this->Size()}, {"box", box}, {"framed", framed}, {"stretch", frame.Exaggeration()},
-    {"opacityDistance", frame.OpacityDistance()}, {"camera", this->MakeCamera()},
-    {"theme", MakeTheme(scene::ThemeOf(request.scene.theme))},
+  Json json = {{"title", scale.title}, {"unit", scale.unit}, {"array", array},
+    {"method", volume.method}, {"sites", SitesOf(times)}, {"synthetic", volume.synthetic},
+    {"masked", code.masked}, {"size", this->Size()}, {"box", box}, {"framed", framed},
+    {"stretch", frame.Exaggeration()}, {"opacityDistance", frame.OpacityDistance()},
+    {"camera", this->MakeCamera()}, {"theme", MakeTheme(scene::ThemeOf(request.scene.theme))},
     {"ground", {ground->GetDimensions()[0], ground->GetDimensions()[1]}}, {"map", this->MakeMap()},
     {"radars", this->MakeRadars(times)}, {"scale", {{"first", code.first}, {"step", code.step}}},
     {"floor", nullptr}, {"presets", offered}, {"preset", shown - offered.begin()},
@@ -403,7 +397,7 @@ std::string PageScene::MakeText(const std::vector<PageTime>& times, const std::s
 std::string PageScene::Title(const std::vector<PageTime>& times) const
 {
   const std::string radars = scene::NameSites(SitesOf(times));
-  return (synthetic ? "SYNTHETIC: " : "") + scene::MomentScale(array, {}).title +
+  return (volume.synthetic ? "SYNTHETIC: " : "") + scene::MomentScale(array, {}).title +
          (radars.empty() ? "" : " " + radars) + ", " +
          FormatIso8601(times.front().time).substr(0, 10);
 }
@@ -416,9 +410,8 @@ PageTime CaptionsOf(vtkImageData* image, Time time, const scene::SceneOptions& o
   const std::string array = scene::ArrayOf(image);
   texts.ages = scene::AgesOfData(image, array, sites.size());
   const auto look = scene::MakeTransferFunction(options, array);
-  const std::string nothing = scene::WordsForNothing(
-    scene::FindEchoShown(image, options.cut.box, scene::OpacitiesOf(look)), array,
-    scene::LeastShown(look), texts.information.biologicalShare, scene::PresetWords::Setting);
+  const std::string nothing =
+    scene::WordsForNothing(image, options.cut.box, look, texts.information.biologicalShare, false);
   if (!nothing.empty())
   {
     texts.information.notes.push_back(nothing);

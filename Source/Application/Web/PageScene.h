@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Requests/DrawingRequest.h"
+#include "Options/DrawingOptions.h"
 #include "Scene/Frame/EchoExtent.h"
 #include "Scene/Frame/SceneFrame.h"
 #include "Scene/SceneOptions.h"
@@ -24,11 +24,6 @@ class vtkNexradTransferFunction;
 namespace nexrad::application
 {
 
-/// Decimals of a part of a colour, or of an opacity that stands alone, in the page.
-constexpr int ColourDigits = 4;
-
-struct PageCode;
-
 /// One of the presets that a page offers.
 struct PagePreset
 {
@@ -42,21 +37,6 @@ struct PagePresets
   std::vector<PagePreset> all; ///< at least one
   std::size_t first = 0;
 };
-
-/// The presets of the moment and, before them, "own" where the options have colours, opacities or
-/// iso-values of their own. Throws Error as scene::MakeTransferFunction does.
-PagePresets PresetsOf(const scene::SceneOptions& options, const std::string& array);
-
-/// The least value at which a preset has an opacity above 0, or the least of its iso-values.
-double LeastVisible(vtkNexradTransferFunction* function);
-
-/// The least value that the preset of the options shows, or the first preset of its moment.
-double LeastVisible(const PagePresets& presets);
-
-/// The presets as the page's script takes them; without those that show values below the floor of
-/// the code.
-nlohmann::ordered_json MakePresetsJson(
-  const PagePresets& presets, const std::string& array, const PageCode& code);
 
 /// What the captions of a page say of one of its times.
 struct PageTime
@@ -77,9 +57,6 @@ public:
   PageScene(const scene::DrawingRequest& request, vtkImageData* volume,
     const std::optional<scene::EchoExtent>& echo);
 
-  const PageCode& Code() const { return code; }
-  /// Array that the page shows, as "REF".
-  const std::string& Array() const { return array; }
   std::array<int, 3> Size() const { return volume.grid.dimensions; }
 
   /// The voxels of a volume, whose codes it has. Throws Error for another grid or moment.
@@ -105,10 +82,8 @@ private:
   vtkSmartPointer<vtkImageData> ground;
   std::array<double, 6> box{};    ///< of the domain; km, with heights as they are
   std::array<double, 6> framed{}; ///< the part that the camera looks at, likewise
-  std::string array;
-  std::string method;
-  bool synthetic = false;
-  GriddedVolume volume; ///< the first one, without its voxels
+  GriddedVolume volume;           ///< the first one, without its voxels
+  std::string array;              ///< that the page shows, as "REF"
   PagePresets presets;
   PageCode code;
 };

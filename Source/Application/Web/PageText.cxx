@@ -2,9 +2,9 @@
 #include "Web/PageText.h"
 
 #include "Scene/Shapes/Embedded.h"
+#include "nexrad/Archives/StoredFiles.h"
 #include "nexrad/Compression/Deflate.h"
 #include "nexrad/System/Error.h"
-#include "nexrad/System/OrdinaryFile.h"
 
 #include <nlohmann/json.hpp>
 #include <vtksys/Base64.h>
@@ -13,7 +13,6 @@
 #include <fstream>
 #include <iterator>
 #include <system_error>
-#include <utility>
 
 namespace nexrad::embedded
 {
@@ -35,7 +34,38 @@ void ReplaceMark(std::string& text, const std::string& mark, const std::string& 
   text.replace(text.find(mark), mark.size(), by); // a mark that is missing throws
 }
 
+// Text with the letters that mean something in HTML as entities.
+std::string EscapeHtml(const std::string& text)
+{
+  std::string escaped;
+  for (const char letter : text)
+  {
+    switch (letter)
+    {
+    case '&':
+      escaped += "&amp;";
+      break;
+    case '<':
+      escaped += "&lt;";
+      break;
+    case '>':
+      escaped += "&gt;";
+      break;
+    default:
+      escaped += letter;
+    }
+  }
+  return escaped;
+}
+
 } // namespace
+
+PageText::PageText()
+{
+  this->AddPart("letters", {embedded::letters, embedded::letters + embedded::lettersSize});
+  this->AddPart(
+    "bold-letters", {embedded::boldLetters, embedded::boldLetters + embedded::boldLettersSize});
+}
 
 void PageText::AddPart(const std::string& id, const std::vector<std::uint8_t>& bytes)
 {
@@ -70,15 +100,6 @@ std::string PageText::Make(const std::string& title) const
   return page;
 }
 
-PageText MakePageWithLetters()
-{
-  PageText page;
-  page.AddPart("letters", {embedded::letters, embedded::letters + embedded::lettersSize});
-  page.AddPart(
-    "bold-letters", {embedded::boldLetters, embedded::boldLetters + embedded::boldLettersSize});
-  return page;
-}
-
 std::set<std::string> ReadWrittenFiles(const std::filesystem::path& page)
 {
   std::error_code failure;
@@ -109,29 +130,6 @@ std::set<std::string> ReadWrittenFiles(const std::filesystem::path& page)
     written.insert(names[i].is_string() ? names[i].get<std::string>() : std::string());
   }
   return written;
-}
-
-std::string EscapeHtml(const std::string& text)
-{
-  std::string escaped;
-  for (const char letter : text)
-  {
-    switch (letter)
-    {
-    case '&':
-      escaped += "&amp;";
-      break;
-    case '<':
-      escaped += "&lt;";
-      break;
-    case '>':
-      escaped += "&gt;";
-      break;
-    default:
-      escaped += letter;
-    }
-  }
-  return escaped;
 }
 
 std::string FormatBase64(const std::vector<std::uint8_t>& bytes)

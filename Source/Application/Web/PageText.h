@@ -15,6 +15,9 @@ namespace nexrad::application
 class PageText
 {
 public:
+  /// A page with the faces of its letters.
+  PageText();
+
   /// Adds an element whose text is the bytes, deflated and in base64. `id`: letters, digits and
   /// "-".
   void AddPart(const std::string& id, const std::vector<std::uint8_t>& bytes);
@@ -30,15 +33,9 @@ private:
   std::string parts;
 };
 
-/// A page without parts, with the faces of its letters.
-PageText MakePageWithLetters();
-
 /// The names that AddWrittenFiles put into a page; empty where there is no such page. Throws Error
 /// for a file of that name that is no page of this program.
 std::set<std::string> ReadWrittenFiles(const std::filesystem::path& page);
-
-/// Text with the letters that mean something in HTML as entities.
-std::string EscapeHtml(const std::string& text);
 
 /// Bytes as text of the letters of base64 (RFC 4648, section 4), without line breaks.
 std::string FormatBase64(const std::vector<std::uint8_t>& bytes);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Commands/LoadedCommands.h"
 #include "Options/DrawingOptions.h"
-#include "Options/GridOptions.h"
 #include "Options/UnitOptions.h"
 #include "Output/MessageOutput.h"
 #include "Output/ProgressBar.h"

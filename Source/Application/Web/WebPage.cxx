@@ -9,11 +9,11 @@
 #include "Web/PageCode.h"
 #include "Web/PageScene.h"
 #include "Web/PageText.h"
+#include "nexrad/Archives/StoredFiles.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Merging/SeriesMerger.h"
 #include "nexrad/System/AtomicFile.h"
 #include "nexrad/System/Error.h"
-#include "nexrad/System/OrdinaryFile.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -39,7 +39,6 @@ namespace
 /// Volume files beside a page, and their index.
 struct VolumeFolder
 {
-  std::string index;             ///< name of the index, in the folder
   std::size_t times = 0;         ///< in the index
   std::set<std::string> written; ///< names of the files there that a page of this folder brought
 };
@@ -51,11 +50,6 @@ constexpr char PageName[] = "index.html";
 using NamedFiles = std::map<std::string, std::filesystem::path>;
 
 constexpr char indexName[] = "volumes.nxv.series"; // as the command grid writes it
-
-bool IsIndex(const fs::path& path)
-{
-  return path.extension() == ".series";
-}
 
 std::vector<fs::path> VolumesOf(const fs::path& input)
 {
@@ -71,7 +65,7 @@ std::vector<fs::path> VolumesOf(const fs::path& input)
     }
     return files;
   }
-  if (IsIndex(input))
+  if (input.extension() == ".series")
   {
     for (const auto& entry : ReadNxvSeries(input))
     {
@@ -189,7 +183,7 @@ NamedFiles FindVolumeFiles(const std::vector<fs::path>& inputs)
 VolumeFolder FillVolumeFolder(const NamedFiles& files, const fs::path& folder)
 {
   MakeFolder(folder);
-  VolumeFolder filled{indexName, 0, ReadWrittenFiles(folder / PageName)};
+  VolumeFolder filled{0, ReadWrittenFiles(folder / PageName)};
   const fs::path index = folder / indexName;
   const bool allThere = std::all_of(
     files.begin(), files.end(), [&](const auto& file) { return LiesIn(file.second, folder); });
@@ -232,10 +226,11 @@ public:
 
   Outcome MakeSinglePage()
   {
-    PageText text = MakePageWithLetters();
+    PageText text;
     for (std::size_t i = 0; i < chosen.size(); ++i)
     {
-      const PackedColumns packed = this->Pack(this->Load(i));
+      const vtkSmartPointer<vtkImageData> volume = this->Load(i); // which makes the page
+      const PackedColumns packed = PackColumns(page->Size(), page->Encode(volume));
       text.AddPart("ends-" + std::to_string(i), packed.ends);
       text.AddPart("codes-" + std::to_string(i), packed.codes);
     }
@@ -247,9 +242,9 @@ public:
     const NamedFiles files = FindVolumeFiles(request.input.inputs);
     this->Load(0); // fails for a preset that the volumes cannot have before anything is written
     const VolumeFolder volumes = FillVolumeFolder(files, request.output);
-    PageText text = MakePageWithLetters();
+    PageText text;
     text.AddWrittenFiles(volumes.written);
-    return this->Finish(std::move(text), request.output / PageName, volumes.index, volumes.times);
+    return this->Finish(std::move(text), request.output / PageName, indexName, volumes.times);
   }
 
 private:
@@ -267,11 +262,6 @@ private:
     }
     times.push_back(CaptionsOf(image, series->Times()[chosen[i]], request.scene));
     return image;
-  }
-
-  PackedColumns Pack(vtkImageData* image) const
-  {
-    return PackColumns(page->Size(), page->Encode(image));
   }
 
   // `count`: times in the page, or in the index beside it.
@@ -300,16 +290,12 @@ private:
 
 } // namespace
 
-bool IsSinglePage(const fs::path& output)
-{
-  const bool isPage = output.extension() == ".html" || output.extension() == ".htm";
-  return isPage && !fs::is_directory(output);
-}
-
 Outcome MakeWebPage(const scene::WebRequest& request)
 {
   PageMaker maker(request);
-  return IsSinglePage(request.output) ? maker.MakeSinglePage() : maker.MakeFolder();
+  const fs::path extension = request.output.extension();
+  const bool isPage = extension == ".html" || extension == ".htm";
+  return isPage && !fs::is_directory(request.output) ? maker.MakeSinglePage() : maker.MakeFolder();
 }
 
 } // namespace nexrad::application

@@ -16,12 +16,6 @@ namespace nexrad
 namespace
 {
 
-std::size_t BytesOf(vtkImageData* volume)
-{
-  constexpr std::size_t kibibyte = 1024;
-  return volume != nullptr ? kibibyte * volume->GetActualMemorySize() : 0;
-}
-
 std::vector<Time> TimesOf(const VolumeSeries& series, const std::vector<std::size_t>& order)
 {
   std::vector<Time> times;
@@ -33,6 +27,15 @@ std::vector<Time> TimesOf(const VolumeSeries& series, const std::vector<std::siz
 }
 
 } // namespace
+
+vtkSmartPointer<vtkImageData> BackgroundSeries::Loaded::Get() const
+{
+  if (!image && !failure.empty())
+  {
+    throw Error(failure);
+  }
+  return image;
+}
 
 BackgroundSeries::BackgroundSeries(BackgroundSeriesOptions theOptions)
   : options(std::move(theOptions))
@@ -63,15 +66,7 @@ vtkSmartPointer<vtkImageData> BackgroundSeries::Show(std::size_t step)
   const auto found = kept.find(step);
   interrupted = found == kept.end() && state.loads && *state.loads != step;
   changed.notify_all(); // what follows the step may be another than before
-  if (found == kept.end())
-  {
-    return nullptr;
-  }
-  if (!found->second.volume)
-  {
-    throw Error(found->second.failure);
-  }
-  return found->second.volume;
+  return found == kept.end() ? nullptr : found->second.volume.Get();
 }
 
 // Whether there is nothing to wait for any more.
@@ -85,7 +80,7 @@ vtkSmartPointer<vtkImageData> BackgroundSeries::Wait(std::size_t step, const Pro
   constexpr auto pause = std::chrono::milliseconds(50); // between reports
   std::unique_lock<std::mutex> lock(mutex);
   const auto found = kept.find(step);
-  if (found != kept.end() && !found->second.volume)
+  if (found != kept.end() && !found->second.volume.image)
   {
     kept.erase(found); // it is tried again
   }
@@ -119,10 +114,8 @@ void BackgroundSeries::SetBox(const std::optional<BoxRequest>& wanted)
     ++boxNumber;
     for (auto& [step, each] : kept)
     {
-      bytes -= BytesOf(each.box);
-      each.bytes -= BytesOf(each.box);
-      each.box = nullptr;
-      each.boxFailure.clear();
+      bytes -= each.box.bytes;
+      each.box = {};
     }
     interrupted = state.loads && kept.count(shown) > 0; // the box of what is shown comes first
   }
@@ -133,15 +126,7 @@ vtkSmartPointer<vtkImageData> BackgroundSeries::Box(std::size_t step) const
 {
   const std::lock_guard<std::mutex> lock(mutex);
   const auto found = kept.find(step);
-  if (found == kept.end())
-  {
-    return nullptr;
-  }
-  if (!found->second.boxFailure.empty())
-  {
-    throw Error(found->second.boxFailure);
-  }
-  return found->second.box;
+  return found == kept.end() ? nullptr : found->second.box.Get();
 }
 
 void BackgroundSeries::Pause(bool paused)
@@ -211,18 +196,24 @@ BackgroundSeries::Opened BackgroundSeries::OpenInputs()
   return inputs;
 }
 
+// Sets what of the state is said of a series that is open.
+void BackgroundSeries::Describe(State& series) const
+{
+  series.times = TimesOf(*opened.series, opened.order);
+  series.moments = opened.series->Moments();
+  series.makesAncillary = opened.series->MakesAncillaryArrays();
+  series.leavesOutFiner = opened.series->LeavesOutFiner(opened.order.front());
+}
+
 bool BackgroundSeries::Open()
 {
   State news;
   try
   {
     opened = this->OpenInputs();
-    news.times = TimesOf(*opened.series, opened.order);
+    this->Describe(news);
     news.loaded.assign(opened.order.size(), false);
     news.damage = this->Damage();
-    news.moments = opened.series->Moments();
-    news.makesAncillary = opened.series->MakesAncillaryArrays();
-    news.leavesOutFiner = opened.series->LeavesOutFiner(opened.order.front());
     news.phase = Phase::Open;
   }
   catch (const std::exception& error)
@@ -292,16 +283,13 @@ void BackgroundSeries::TakeOver(Opened again)
     if (found != before.end())
     {
       Kept& each = still[step] = std::move(kept[found->second]);
-      bytes += each.bytes;
-      state.loaded[step] = each.volume != nullptr;
+      bytes += each.Bytes();
+      state.loaded[step] = each.volume.image != nullptr;
     }
   }
   kept = std::move(still);
   opened = std::move(again);
-  state.times = times;
-  state.moments = opened.series->Moments();
-  state.makesAncillary = opened.series->MakesAncillaryArrays();
-  state.leavesOutFiner = opened.series->LeavesOutFiner(opened.order.front());
+  this->Describe(state);
 }
 
 std::vector<std::string> BackgroundSeries::Damage() const
@@ -318,8 +306,7 @@ std::vector<std::string> BackgroundSeries::Damage() const
 bool BackgroundSeries::Lacks(std::size_t step) const
 {
   const auto found = kept.find(step);
-  return found == kept.end() ||
-         (box && found->second.volume && !found->second.box && found->second.boxFailure.empty());
+  return found == kept.end() || (box && found->second.volume.image && !found->second.box.IsThere());
 }
 
 // The step to load next; nothing where all are loaded, or there is no memory for more.
@@ -333,7 +320,7 @@ std::optional<std::size_t> BackgroundSeries::NextStep() const
   std::size_t largest = 0;
   for (const auto& [step, each] : kept)
   {
-    largest = std::max(largest, each.bytes);
+    largest = std::max(largest, each.Bytes());
   }
   std::size_t following = 0; // bytes of the step that is shown and of those after it
   for (std::size_t i = 0; i < count && !state.paused; ++i)
@@ -348,70 +335,33 @@ std::optional<std::size_t> BackgroundSeries::NextStep() const
     {
       return step;
     }
-    following += found->second.bytes;
+    following += found->second.Bytes();
   }
   return std::nullopt;
 }
 
-BackgroundSeries::Kept BackgroundSeries::Load(std::size_t step)
+// The volume of a step; or a box of it.
+BackgroundSeries::Loaded BackgroundSeries::Load(
+  std::size_t step, const std::optional<BoxRequest>& wantedBox)
 {
-  Kept loaded;
-  loaded.contents = opened.series->Contents(opened.order[step]); // it may change while it is read
+  constexpr std::size_t kibibyte = 1024;
+  const std::size_t index = opened.order[step];
+  Loaded loaded;
   try
   {
-    loaded.volume = opened.series->Load(opened.order[step], this->ReportTo());
-    if (loaded.volume && options.prepare)
+    loaded.image = wantedBox ? opened.series->LoadBox(index, *wantedBox, this->ReportTo())
+                             : opened.series->Load(index, this->ReportTo());
+    if (loaded.image && options.prepare)
     {
-      options.prepare(loaded.volume);
+      options.prepare(loaded.image);
     }
-    loaded.bytes = BytesOf(loaded.volume);
+    loaded.bytes = loaded.image ? kibibyte * loaded.image->GetActualMemorySize() : 0;
   }
   catch (const std::exception& error)
   {
     loaded.failure = error.what();
   }
   return loaded;
-}
-
-// The box of a step whose volume is kept.
-BackgroundSeries::Kept BackgroundSeries::LoadBox(std::size_t step, const BoxRequest& request)
-{
-  Kept loaded;
-  try
-  {
-    loaded.box = opened.series->LoadBox(opened.order[step], request, this->ReportTo());
-    if (loaded.box && options.prepare)
-    {
-      options.prepare(loaded.box);
-    }
-    loaded.bytes = BytesOf(loaded.box);
-  }
-  catch (const std::exception& error)
-  {
-    loaded.boxFailure = error.what();
-  }
-  return loaded;
-}
-
-// Takes over a volume, or a box of a volume that is kept; nothing after a stop.
-void BackgroundSeries::Keep(std::size_t step, Kept loaded)
-{
-  this->MakeRoom(loaded.bytes);
-  if (loaded.volume || !loaded.failure.empty())
-  {
-    bytes += loaded.bytes;
-    state.loaded[step] = loaded.volume != nullptr;
-    kept[step] = std::move(loaded);
-    return;
-  }
-  const auto found = kept.find(step);
-  if (found != kept.end()) // else there was no room, or the loading was stopped
-  {
-    bytes += loaded.bytes;
-    found->second.box = loaded.box;
-    found->second.boxFailure = loaded.boxFailure;
-    found->second.bytes += loaded.bytes;
-  }
 }
 
 // Forgets the volumes that are shown last until so many bytes fit; not the one that is shown.
@@ -423,7 +373,7 @@ void BackgroundSeries::MakeRoom(std::size_t wanted)
     const auto found = kept.find((shown + i) % count);
     if (found != kept.end())
     {
-      bytes -= found->second.bytes;
+      bytes -= found->second.Bytes();
       state.loaded[found->first] = false;
       kept.erase(found);
     }
@@ -437,16 +387,31 @@ void BackgroundSeries::LoadNext(std::size_t step, std::unique_lock<std::mutex>& 
   const std::optional<BoxRequest> wantedBox = kept.count(step) > 0 ? box : std::nullopt;
   const unsigned wantedNumber = boxNumber;
   lock.unlock();
-  Kept loaded = wantedBox ? this->LoadBox(step, *wantedBox) : this->Load(step);
+  const std::string contents = opened.series->Contents(opened.order[step]); // may change meanwhile
+  Loaded loaded = this->Load(step, wantedBox);
   std::vector<std::string> damage = this->Damage();
   lock.lock();
   state.loads.reset();
   state.damage = std::move(damage);
   interrupted = false;
-  if (!wantedBox || wantedNumber == boxNumber)
+  if (wantedBox && wantedNumber != boxNumber)
   {
-    this->Keep(step, std::move(loaded));
+    return;
   }
+  this->MakeRoom(loaded.bytes);
+  const auto found = kept.find(step);
+  if (!loaded.IsThere() || (wantedBox && found == kept.end())) // stopped, or there was no room
+  {
+    return;
+  }
+  bytes += loaded.bytes;
+  if (wantedBox)
+  {
+    found->second.box = std::move(loaded);
+    return;
+  }
+  state.loaded[step] = loaded.image != nullptr;
+  kept[step] = {contents, std::move(loaded), {}};
 }
 
 void BackgroundSeries::Run()

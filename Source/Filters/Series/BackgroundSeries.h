@@ -103,18 +103,29 @@ private:
     std::shared_ptr<VolumeSeries> series;
     std::vector<std::size_t> order; ///< indices of the steps
   };
+  /// A volume, or a box of one; neither image nor failure: it was not loaded, or that was stopped.
+  struct Loaded
+  {
+    vtkSmartPointer<vtkImageData> image;
+    std::string failure;
+    std::size_t bytes = 0;
+
+    bool IsThere() const { return image || !failure.empty(); }
+    /// The image. Throws Error where there is a failure in its place.
+    vtkSmartPointer<vtkImageData> Get() const;
+  };
   struct Kept
   {
-    vtkSmartPointer<vtkImageData> volume; ///< nullptr after a failure
-    std::string failure;
     std::string contents; ///< VolumeSeries::Contents, before it was loaded
-    vtkSmartPointer<vtkImageData> box;
-    std::string boxFailure;
-    std::size_t bytes = 0;
+    Loaded volume;
+    Loaded box;
+
+    std::size_t Bytes() const { return volume.bytes + box.bytes; }
   };
 
   void Run();
   Opened OpenInputs();
+  void Describe(State& series) const;
   bool Open();
   void OpenAgain(std::unique_lock<std::mutex>& lock);
   void TakeOver(Opened opened);
@@ -123,9 +134,7 @@ private:
   std::optional<std::size_t> NextStep() const;
   bool Lacks(std::size_t step) const;
   bool IsDone(std::size_t step) const;
-  Kept Load(std::size_t step);
-  Kept LoadBox(std::size_t step, const BoxRequest& request);
-  void Keep(std::size_t step, Kept loaded);
+  Loaded Load(std::size_t step, const std::optional<BoxRequest>& wantedBox);
   void MakeRoom(std::size_t bytes);
   Progress ReportTo();
   void Wake();

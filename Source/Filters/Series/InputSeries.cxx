@@ -11,7 +11,6 @@
 #include <vtkImageData.h>
 
 #include <algorithm>
-#include <iterator>
 
 namespace nexrad
 {
@@ -83,15 +82,7 @@ public:
     return oneEach ? std::optional(merger.Rays()) : std::nullopt;
   }
 
-  std::vector<std::string> Problems() const override
-  {
-    std::vector<std::string> lines;
-    for (const InputProblem& problem : merger.Problems())
-    {
-      lines.push_back(problem.Line());
-    }
-    return lines;
-  }
+  std::vector<std::string> Problems() const override { return ProblemLines(merger.Problems()); }
 
 private:
   const bool beam; // the method, which alone makes ancillary arrays
@@ -111,7 +102,7 @@ std::unique_ptr<VolumeSeries> OpenInputs(const InputRequest& request, const Prog
   // An ancillary array, as REF_age, is made beside its moment.
   const std::size_t end = request.colourBy.find('_');
   const std::optional<MomentName> colours = ParseMomentName(request.colourBy.substr(0, end));
-  const std::vector<MomentName> moments = request.grid.Moments();
+  const std::vector<MomentName>& moments = request.grid.moments;
   if (AreVolumes(request.inputs))
   {
     return OpenVolumeFiles(
@@ -126,7 +117,7 @@ std::unique_ptr<VolumeSeries> OpenInputs(const InputRequest& request, const Prog
   grid.time = request.time;
   if (colours && std::find(moments.begin(), moments.end(), *colours) == moments.end())
   {
-    grid.furtherMoments.push_back(*colours);
+    grid.moments.push_back(*colours);
   }
   grid.beam.ancillary = grid.beam.ancillary || end != std::string::npos;
   return OpenRadarFiles(request.inputs, grid, ShareOf(progress, 0.0, ScanShare));

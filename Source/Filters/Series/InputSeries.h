@@ -3,7 +3,7 @@
 
 #include "Filters/Series/VolumeSeries.h"
 #include "nexrad/Grid/FinerBox.h"
-#include "nexrad/Grid/PlaceUnit.h"
+#include "nexrad/Grid/GridSpecification.h"
 #include "nexrad/Merging/MergeOptions.h"
 #include "nexrad/System/Progress.h"
 

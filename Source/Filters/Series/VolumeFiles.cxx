@@ -3,14 +3,13 @@
 
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Grid/FinerBox.h"
-#include "nexrad/Grid/GridText.h"
-#include "nexrad/Grid/VolumeMoments.h"
+#include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/MessageText.h"
 #include "vtkNexradFieldData.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradMessages.h"
-#include "vtkNexradVolumeFile.h"
+#include "vtkNexradVoxels.h"
 
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
@@ -68,19 +67,13 @@ vtkSmartPointer<vtkImageData> ReadVti(const fs::path& path)
   return reader->GetOutput();
 }
 
-// What has to be known of a volume file before it is drawn. A .vti has to be read for it.
-struct VolumeDescription
-{
-  Time time;
-  GridSpecification grid;
-};
-
-VolumeDescription Describe(const fs::path& path)
+// What has to be known of a volume file before it is drawn: time and grid. A .vti has to be read
+// for it.
+GriddedVolume Describe(const fs::path& path)
 {
   if (EndsWith(path, ".nxv"))
   {
-    const GriddedVolume header = ReadNxvHeader(path);
-    return {header.time, header.grid};
+    return ReadNxvHeader(path);
   }
   const auto image = ReadVti(path);
   const auto seconds = vtkNexradGetValue(image->GetFieldData(), "TimeValue");
@@ -88,7 +81,10 @@ VolumeDescription Describe(const fs::path& path)
   {
     throw Error(path.string() + ": has no time (field data TimeValue); merge with nexrad3d grid");
   }
-  return {FromSeconds(*seconds), vtkNexradImageToGrid(image)};
+  GriddedVolume volume;
+  volume.time = FromSeconds(*seconds);
+  volume.grid = vtkNexradImageToGrid(image);
+  return volume;
 }
 
 // What drawing an image makes of a voxel: the words of its texture, before and behind their way to
@@ -153,7 +149,7 @@ void AddFolder(TimedFiles& files, const fs::path& folder)
   std::optional<GridSpecification> grid;
   for (const fs::path& name : names)
   {
-    const VolumeDescription volume = Describe(name);
+    const GriddedVolume volume = Describe(name);
     if (grid && *grid != volume.grid)
     {
       throw Error(folder.string() + ": holds volumes of different runs: " +
@@ -211,9 +207,7 @@ std::vector<MomentName> MomentsOf(vtkImageData* image)
 vtkSmartPointer<vtkImageData> Showing(
   const std::vector<MomentName>& wanted, vtkSmartPointer<vtkImageData> image)
 {
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  const std::string first = scalars && scalars->GetName() ? scalars->GetName() : "";
-  if (wanted.empty() || first == ToString(wanted.front()))
+  if (wanted.empty() || vtkNexradScalarsName(image) == ToString(wanted.front()))
   {
     return image;
   }
@@ -255,21 +249,42 @@ public:
 
   vtkSmartPointer<vtkImageData> Load(std::size_t index, const Progress&) override
   {
-    return NamingTheIndex(
-      files[index], [this](const fs::path& path) { return this->LoadFile(path); });
+    const auto load = [this](const fs::path& path)
+    {
+      return EndsWith(path, ".vti")
+               ? Showing(request.moments, ReadVti(path))
+               : this->ReadPart(path, this->FindWhole(path, ReadNxvLevels(path)));
+    };
+    return NamingTheIndex(files[index], load);
   }
 
   vtkSmartPointer<vtkImageData> LoadBox(
     std::size_t index, const BoxRequest& box, const Progress&) override
   {
-    return NamingTheIndex(
-      files[index], [&](const fs::path& path) { return this->LoadBoxOfFile(path, box); });
+    const auto load = [&](const fs::path& path)
+    {
+      const Levels levels = EndsWith(path, ".vti") ? Levels() : ReadNxvLevels(path);
+      if (levels.empty() || this->FindWhole(path, levels).options.level == 0)
+      {
+        throw Error("all of its voxels are drawn; finer ones are merged from radar files alone");
+      }
+      if (box.followedFrom)
+      {
+        throw Error("a box moves with the echo of radar files alone; leave out --follow-from");
+      }
+      CheckPlaceUnit(request.boxUnit, PlaceUnitOf(levels.front().axes), "the box is");
+      return this->ReadPart(path, this->FindBox(path, levels, box));
+    };
+    return NamingTheIndex(files[index], load);
   }
 
   bool LeavesOutFiner(std::size_t index) const override
   {
-    return NamingTheIndex(files[index], [this](const fs::path& path)
-      { return EndsWith(path, ".nxv") && this->FindWhole(path, ReadNxvLevels(path)).Level > 0; });
+    return NamingTheIndex(files[index],
+      [this](const fs::path& path) {
+        return EndsWith(path, ".nxv") &&
+               this->FindWhole(path, ReadNxvLevels(path)).options.level > 0;
+      });
   }
 
   std::string Contents(std::size_t index) const override
@@ -285,61 +300,41 @@ public:
 private:
   using Levels = std::vector<GridSpecification>;
 
-  vtkSmartPointer<vtkImageData> LoadFile(const fs::path& path) const
+  // What is read of a file, and whether as codes where that can be.
+  struct Part
   {
-    if (EndsWith(path, ".vti"))
-    {
-      return Showing(request.moments, ReadVti(path));
-    }
-    return this->ReadPart(this->FindWhole(path, ReadNxvLevels(path)));
-  }
-
-  vtkSmartPointer<vtkImageData> LoadBoxOfFile(const fs::path& path, const BoxRequest& box) const
-  {
-    const Levels levels = EndsWith(path, ".vti") ? Levels() : ReadNxvLevels(path);
-    if (levels.empty() || this->FindWhole(path, levels).Level == 0)
-    {
-      throw Error("all of its voxels are drawn; finer ones are merged from radar files alone");
-    }
-    if (box.followedFrom)
-    {
-      throw Error("a box moves with the echo of radar files alone; leave out --follow-from");
-    }
-    CheckPlaceUnit(request.boxUnit, PlaceUnitOf(levels.front().axes), "the box is");
-    return this->ReadPart(this->FindBox(path, levels, box));
-  }
+    NxvReadOptions options;
+    bool codes = false;
+  };
 
   // Of the finest level of which the block that `blockOf` names fits in the texture memory, that
   // block; without one, of the coarsest. Nothing is asked of the first `from` levels.
-  vtkNexradVolumeFile FindPart(const fs::path& path, const Levels& levels, std::size_t from,
+  Part FindPart(const fs::path& path, const Levels& levels, std::size_t from,
     const std::function<VoxelBlock(const GridSpecification&)>& blockOf) const
   {
-    vtkNexradVolumeFile file;
-    file.FileName = path.string();
-    file.Moments = ChooseMoments(request, ReadNxvMoments(path));
-    file.Codes = codes;
-    file.BytesBesides = pictureBytesPerVoxel;
-    file.Level = from;
-    NxvReadOptions options;
-    options.moments = file.Moments;
+    Part part;
+    part.codes = codes;
+    NxvReadOptions& options = part.options;
+    options.moments = ChooseMoments(request, ReadNxvMoments(path));
+    options.bytesBesides = pictureBytesPerVoxel;
     const std::size_t bytes =
-      file.Codes && HasNxvCodes(path, options) ? 1 : sizeof(float) * file.Moments.size();
-    while (file.Level + 1 < levels.size() && !request.allVoxels &&
-           !FitsInTexture(blockOf(levels[file.Level]), bytes))
+      part.codes && HasNxvCodes(path, options) ? 1 : sizeof(float) * options.moments.size();
+    options.level = from;
+    while (options.level + 1 < levels.size() && !request.allVoxels &&
+           !FitsInTexture(blockOf(levels[options.level]), bytes))
     {
-      ++file.Level;
+      ++options.level;
     }
-    file.Block = blockOf(levels[file.Level]);
-    return file;
+    options.block = blockOf(levels[options.level]);
+    return part;
   }
 
-  vtkNexradVolumeFile FindWhole(const fs::path& path, const Levels& levels) const
+  Part FindWhole(const fs::path& path, const Levels& levels) const
   {
     return this->FindPart(path, levels, 0, VoxelBlock::Of);
   }
 
-  vtkNexradVolumeFile FindBox(
-    const fs::path& path, const Levels& levels, const BoxRequest& box) const
+  Part FindBox(const fs::path& path, const Levels& levels, const BoxRequest& box) const
   {
     std::size_t from = 0;
     while (from + 1 < levels.size() && IsFinerThanAsked(levels[from], box))
@@ -350,10 +345,10 @@ private:
       [&box](const GridSpecification& level) { return VoxelsOfBox(level, box); });
   }
 
-  static vtkSmartPointer<vtkImageData> ReadPart(const vtkNexradVolumeFile& file)
+  static vtkSmartPointer<vtkImageData> ReadPart(const fs::path& path, const Part& part)
   {
     auto image = vtkSmartPointer<vtkImageData>::New();
-    vtkNexradReadVolumeFile(file, image);
+    vtkNexradReadVolumeFile(path.string(), part.options, part.codes, image);
     return image;
   }
 
@@ -362,8 +357,6 @@ private:
   std::vector<Time> times;
   std::atomic<bool> codes = false;
 };
-
-} // namespace
 
 bool HoldsVolumes(const fs::path& path)
 {
@@ -376,6 +369,8 @@ bool HoldsVolumes(const fs::path& path)
   return std::any_of(begin(entries), end(entries),
     [](const fs::directory_entry& entry) { return IsVolumeFile(entry.path()); });
 }
+
+} // namespace
 
 bool AreVolumes(const std::vector<fs::path>& paths)
 {

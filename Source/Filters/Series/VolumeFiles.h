@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Filters/Series/VolumeSeries.h"
-#include "nexrad/Grid/PlaceUnit.h"
+#include "nexrad/Grid/GridSpecification.h"
 #include "nexrad/Model/Moment.h"
 
 #include <filesystem>
@@ -13,11 +13,8 @@
 namespace nexrad
 {
 
-/// True when a path names merged volumes: .nxv, .nxv.series, .vti, or a folder that holds .nxv or
-/// .vti files.
-bool HoldsVolumes(const std::filesystem::path& path);
-
-/// True when all of the paths name merged volumes, false when none does. Throws Error when some do.
+/// True when all of the paths name merged volumes (.nxv, .nxv.series, .vti, or a folder that holds
+/// .nxv or .vti files), false when none does. Throws Error when some do.
 bool AreVolumes(const std::vector<std::filesystem::path>& paths);
 
 /// What of volume files is read.

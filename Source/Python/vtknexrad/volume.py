@@ -283,5 +283,4 @@ class Volume:
         return [values.GetComponent(0, component) for component in range(count)]
 
     def _texts(self, name: str) -> tuple[str, ...]:
-        texts = self.image.GetFieldData().GetAbstractArray(name)
-        return tuple(texts.GetValue(index) for index in range(texts.GetNumberOfValues())) if texts else ()
+        return files.texts_of(self.image.GetFieldData().GetAbstractArray(name))
