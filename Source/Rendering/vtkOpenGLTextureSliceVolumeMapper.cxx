@@ -116,17 +116,12 @@ int vtkOpenGLTextureSliceVolumeMapper::IsRenderSupported(
 {
   auto* openGLWindow = vtkOpenGLRenderWindow::SafeDownCast(window);
   vtkDataSet* input = this->GetInput(0);
-  if (openGLWindow == nullptr || input == nullptr)
-  {
-    // Without an input there is nothing to say about it.
-    return openGLWindow != nullptr &&
-           this->MakeRequest(property, nullptr, nullptr, false).FindUnsupported() == nullptr;
-  }
   int cellFlag = 0;
   vtkDataArray* scalars = this->GetScalars(
     input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
   const bool cellData = cellFlag == 1;
-  return CanHold(openGLWindow, input, cellData) &&
+  // Without an input there is nothing to say about it.
+  return openGLWindow != nullptr && (input == nullptr || CanHold(openGLWindow, input, cellData)) &&
          this->MakeRequest(property, input, scalars, cellData).FindUnsupported() == nullptr;
 }
 
@@ -249,11 +244,19 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawVolume(vtkRenderer* renderer,
     return unsupported;
   }
   const double allowedTime = volume->GetAllocatedRenderTime();
-  parts.PixelSize = this->ChooseImageSampleDistance(allowedTime);
+  const bool adapts =
+    this->AutoAdjustSampleDistances && vtkTextureSliceResolution::IsInteractive(allowedTime);
+  parts.PixelSize = static_cast<double>(this->ImageSampleDistance);
+  if (adapts)
+  {
+    parts.PixelSize = parts.Resolution.Choose(allowedTime,
+      std::max<double>(parts.PixelSize, this->MinimumImageSampleDistance),
+      std::max<double>(parts.PixelSize, this->MaximumImageSampleDistance));
+  }
   vtkNew<vtkTimerLog> timer;
   timer->StartTimer();
   const std::string error = this->DrawSlices(renderer);
-  if (this->AutoAdjustSampleDistances && vtkTextureSliceResolution::IsInteractive(allowedTime))
+  if (adapts)
   {
     glFinish();
     timer->StopTimer();
@@ -289,18 +292,6 @@ void vtkOpenGLTextureSliceVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolu
     this->RenderVolume(renderer, volume);
     selector->EndRenderProp();
   }
-}
-
-double vtkOpenGLTextureSliceVolumeMapper::ChooseImageSampleDistance(double allowedTime)
-{
-  const auto asked = static_cast<double>(this->ImageSampleDistance);
-  if (!this->AutoAdjustSampleDistances || !vtkTextureSliceResolution::IsInteractive(allowedTime))
-  {
-    return asked;
-  }
-  return this->Parts->Resolution.Choose(allowedTime,
-    std::max<double>(asked, this->MinimumImageSampleDistance),
-    std::max<double>(asked, this->MaximumImageSampleDistance));
 }
 
 bool vtkOpenGLTextureSliceVolumeMapper::PlaceSlices()

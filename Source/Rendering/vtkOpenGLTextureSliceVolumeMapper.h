@@ -290,7 +290,6 @@ private:
   vtkTextureSliceRequest MakeRequest(
     vtkVolumeProperty* property, vtkDataSet* input, vtkDataArray* scalars, bool cellData);
   std::string UpdateMask();
-  double ChooseImageSampleDistance(double allowedTime);
   double ChooseSampleDistance();
   void UpdateShadows();
   /// @return false where nothing is to be seen

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <utility>
 
 namespace
 {
@@ -113,6 +114,28 @@ std::vector<Test> MakeTests(const Source& source)
                       : MakeOpacityTest(source, features, row));
   }
   return tests;
+}
+
+/// For each brick, 1 where it counts, else 0.
+std::vector<unsigned char> FindVisible(const Source& source)
+{
+  const std::vector<Range>& ranges = source.Texture.GetBricks().Ranges;
+  const std::size_t components = source.Texture.GetComponents().size();
+  std::vector<unsigned char> visible(ranges.size() / components);
+  const auto tests = MakeTests(source);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(visible.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (auto brick = static_cast<std::size_t>(begin); brick < static_cast<std::size_t>(end);
+           ++brick)
+      {
+        const auto* const own = ranges.data() + brick * components;
+        const bool counts =
+          std::any_of(tests.begin(), tests.end(), [own](const Test& test) { return test(own); });
+        visible[brick] = counts ? 1 : 0;
+      }
+    });
+  return visible;
 }
 
 } // namespace
@@ -240,32 +263,11 @@ void vtkTextureSliceEmptySpace::Update(const Source& source)
     return;
   }
   this->Last = std::move(key);
-  const std::vector<unsigned char> before = this->Visible;
-  this->FindVisible(source);
+  const std::vector<unsigned char> before = std::exchange(this->Visible, FindVisible(source));
   const vtkTextureSliceBricks& bricks = source.Texture.GetBricks();
   if (this->Visible == before && bricks.Edge == this->Distances.Edge)
   {
     return; // another colour, or another opacity of what is visible
   }
   this->Distances.Build(bricks.Count, bricks.Edge, this->Visible);
-}
-
-void vtkTextureSliceEmptySpace::FindVisible(const Source& source)
-{
-  const std::vector<vtkTextureSliceBricks::Range>& ranges = source.Texture.GetBricks().Ranges;
-  const std::size_t components = source.Texture.GetComponents().size();
-  this->Visible.resize(ranges.size() / components);
-  const auto tests = MakeTests(source);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Visible.size()),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (auto brick = static_cast<std::size_t>(begin); brick < static_cast<std::size_t>(end);
-           ++brick)
-      {
-        const auto* const own = ranges.data() + brick * components;
-        const bool visible =
-          std::any_of(tests.begin(), tests.end(), [own](const Test& test) { return test(own); });
-        this->Visible[brick] = visible ? 1 : 0;
-      }
-    });
 }

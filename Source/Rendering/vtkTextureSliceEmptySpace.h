@@ -80,7 +80,6 @@ private:
   /// All that the answers depend on.
   using Key = std::tuple<vtkMTimeType, vtkMTimeType, vtkMTimeType, std::array<double, 2>,
     std::vector<double>, std::string>;
-  void FindVisible(const vtkTextureSliceParts& source);
 
   Key Last;
   std::vector<unsigned char> Visible; ///< not 0 where a brick counts

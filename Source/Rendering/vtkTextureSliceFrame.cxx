@@ -48,12 +48,6 @@ Plane RowOf(const std::array<double, 16>& matrix, std::size_t row)
   return {matrix[4 * row], matrix[4 * row + 1], matrix[4 * row + 2], matrix[4 * row + 3]};
 }
 
-Vector Corner(const vtkTextureSliceView& view, std::size_t number)
-{
-  return {
-    view.Part[number & 1], view.Part[2 + ((number >> 1) & 1)], view.Part[4 + ((number >> 2) & 1)]};
-}
-
 /// The depth of a place as a function of its box coordinates.
 Plane MakeDepth(const vtkTextureSliceView& view)
 {
@@ -68,7 +62,8 @@ std::pair<double, double> DepthRange(const vtkTextureSliceView& view, const Plan
   double farthest = std::numeric_limits<double>::lowest();
   for (std::size_t corner = 0; corner < 8; ++corner)
   {
-    const double value = Evaluate(depth, Corner(view, corner));
+    const double value = Evaluate(depth, {view.Part[corner & 1], view.Part[2 + ((corner >> 1) & 1)],
+                                           view.Part[4 + ((corner >> 2) & 1)]});
     nearest = std::min(nearest, value);
     farthest = std::max(farthest, value);
   }
@@ -428,15 +423,6 @@ void vtkTextureSliceLights::Append(vtkRenderer* renderer, vtkLight* light)
   // Whether it has a position, cosine of the cone or -2, exponent.
   const double cone[3] = {light->GetPositional() != 0 ? 1.0 : 0.0, cosine, light->GetExponent()};
   this->Vectors["lightCone"].push_back(ToFloat(cone));
-}
-
-int vtkTextureSliceLights::CountForShader() const
-{
-  if (this->Count == 0)
-  {
-    return -1;
-  }
-  return this->OnlyHeadlight ? 0 : this->Count;
 }
 
 void vtkTextureSliceLights::SetUniforms(

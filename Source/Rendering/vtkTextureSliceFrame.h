@@ -4,7 +4,7 @@
 #define vtkTextureSliceFrame_h
 
 #include "vtkNexradRenderingModule.h" // for the export macro
-#include "vtkTextureSliceLightCells.h"
+#include "vtkTextureSliceLightVolume.h"
 
 #include <array>
 #include <map>
@@ -123,7 +123,10 @@ class vtkTextureSliceLights
 public:
   void Update(vtkRenderer* renderer);
   /// For vtkTextureSliceFeatures: -1 without lights, 0 for a single headlight, else their number.
-  int CountForShader() const;
+  int CountForShader() const
+  {
+    return this->Count == 0 ? -1 : (this->OnlyHeadlight ? 0 : this->Count);
+  }
   void SetUniforms(vtkShaderProgram* program, const vtkTextureSliceFrame& frame) const;
 
 private:

@@ -16,11 +16,7 @@ constexpr const char* Overridden = "vtkGPUVolumeRayCastMapper";
 VTK_CREATE_CREATE_FUNCTION(vtkOpenGLTextureSliceVolumeMapper);
 
 /// The factory that Activate registered; VTK's list keeps it.
-vtkWeakPointer<vtkObjectFactory>& GetRegistered()
-{
-  static vtkWeakPointer<vtkObjectFactory> factory;
-  return factory;
-}
+vtkWeakPointer<vtkObjectFactory> Registered;
 
 } // namespace
 
@@ -37,20 +33,20 @@ void vtkTextureSliceObjectFactory::DisableOthers()
 
 void vtkTextureSliceObjectFactory::Activate()
 {
-  if (GetRegistered() == nullptr)
+  if (Registered == nullptr)
   {
     DisableOthers();
     vtkNew<vtkTextureSliceObjectFactory> factory;
     vtkObjectFactory::RegisterFactory(factory);
-    GetRegistered() = factory;
+    Registered = factory;
   }
 }
 
 void vtkTextureSliceObjectFactory::Deactivate()
 {
-  if (vtkObjectFactory* factory = GetRegistered())
+  if (Registered != nullptr)
   {
-    vtkObjectFactory::UnRegisterFactory(factory);
+    vtkObjectFactory::UnRegisterFactory(Registered);
     vtkObjectFactory::SetAllEnableFlags(1, Overridden);
   }
 }

@@ -4,10 +4,8 @@
 #define vtkTextureSliceParts_h
 
 #include "vtkSmartPointer.h"
-#include "vtkTextureSliceCoordinates.h"
 #include "vtkTextureSliceEmptySpace.h"
 #include "vtkTextureSliceFrame.h"
-#include "vtkTextureSlicePeeling.h"
 #include "vtkTextureSliceRequest.h"
 #include "vtkTextureSliceShadows.h"
 #include "vtkTextureSliceTables.h"

@@ -9,7 +9,7 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkShaderProgram.h"
-#include "vtkTextureSlicePeeling.h"
+#include "vtkTextureSliceTarget.h"
 #include "vtkVersionMacros.h"
 #include "vtkVolumeMapper.h"
 
@@ -118,12 +118,6 @@ const char* FindFirst(std::initializer_list<std::pair<bool, const char*>> texts)
   const auto* const first =
     std::find_if(texts.begin(), texts.end(), [](const auto& text) { return text.first; });
   return first != texts.end() ? first->second : nullptr;
-}
-
-bool IsExtreme(int blendMode)
-{
-  return blendMode == vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND ||
-         blendMode == vtkVolumeMapper::MINIMUM_INTENSITY_BLEND;
 }
 
 } // namespace
@@ -269,13 +263,6 @@ bool vtkTextureSliceRequest::ShowsPlaces() const
          this->BlendMode == vtkVolumeMapper::SLICE_BLEND;
 }
 
-bool vtkTextureSliceRequest::IntegratesSlabs() const
-{
-  return this->Mapper->GetPreIntegration() && this->GetContours().empty() &&
-         this->BlendMode == vtkVolumeMapper::COMPOSITE_BLEND && !this->Has2D() &&
-         !this->IsNearest();
-}
-
 bool vtkTextureSliceRequest::HasGradientOpacity() const
 {
   if (this->Has2D())
@@ -298,8 +285,9 @@ vtkTextureSliceFeatures vtkTextureSliceRequest::GetFeatures() const
   features.BlendMode = this->BlendMode;
   features.Components = this->Components;
   features.Functions = this->GetFunctions(this->Components - 1) + 1;
-  features.ExtremeSample =
-    IsExtreme(this->BlendMode) && this->Components > 1 && !this->IsIndependent();
+  const bool isExtreme = this->BlendMode == vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND ||
+                         this->BlendMode == vtkVolumeMapper::MINIMUM_INTENSITY_BLEND;
+  features.ExtremeSample = isExtreme && this->Components > 1 && !this->IsIndependent();
   features.GradientOpacity = this->ShowsPlaces() && this->HasGradientOpacity();
   features.SmoothGradient = this->Mapper->GetSmoothGradient();
   features.ClippedScalars = this->Property->GetUseClippedVoxelIntensity() != 0;
@@ -307,9 +295,12 @@ vtkTextureSliceFeatures vtkTextureSliceRequest::GetFeatures() const
   features.SecondArray = this->ReadsSecondArray() ? this->SecondArray->GetNumberOfComponents() : 0;
   features.BinaryMask = this->HasMask(vtkGPUVolumeRayCastMapper::BinaryMaskType);
   features.Labels = this->CountLabels();
-  features.Slabs = this->IntegratesSlabs();
   features.IsoValues = static_cast<int>(this->GetIsoValues().size());
   features.Contours = static_cast<int>(this->GetContours().size());
+  // One-dimensional functions of interpolated scalars.
+  features.Slabs = this->Mapper->GetPreIntegration() && features.Contours == 0 &&
+                   this->BlendMode == vtkVolumeMapper::COMPOSITE_BLEND && !this->Has2D() &&
+                   !this->IsNearest();
   return features;
 }
 

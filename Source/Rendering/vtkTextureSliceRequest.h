@@ -129,8 +129,6 @@ struct vtkTextureSliceRequest
 private:
   void SetMaterials(vtkShaderProgram* program) const;
   bool HasMask(int type) const;
-  /// Whether one-dimensional functions of interpolated scalars are integrated over slabs.
-  bool IntegratesSlabs() const;
   /// Whether a gradient opacity is other than 1 somewhere.
   bool HasGradientOpacity() const;
   bool Has2D() const

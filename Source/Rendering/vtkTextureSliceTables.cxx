@@ -26,22 +26,18 @@ std::array<double, 2> EntryRange(const vtkTextureSliceDomain& domain)
   return {low, low < high ? high : low + 1.0};
 }
 
-int CountSamples(const vtkTextureSliceRow& row)
-{
-  const auto [low, high] = EntryRange(row.OpacityDomain);
-  const int samples = row.Opacity->EstimateMinNumberOfSamples(low, high);
-  const auto [first, last] = EntryRange(row.ColorDomain);
-  return row.Color != nullptr
-           ? std::max(samples, row.Color->EstimateMinNumberOfSamples(first, last))
-           : samples;
-}
-
 std::size_t ChooseWidth(vtkOpenGLRenderWindow* window, const std::vector<vtkTextureSliceRow>& rows)
 {
   int samples = 0;
   for (const vtkTextureSliceRow& row : rows)
   {
-    samples = std::max(samples, CountSamples(row));
+    const auto [low, high] = EntryRange(row.OpacityDomain);
+    samples = std::max(samples, row.Opacity->EstimateMinNumberOfSamples(low, high));
+    if (row.Color != nullptr)
+    {
+      const auto [first, last] = EntryRange(row.ColorDomain);
+      samples = std::max(samples, row.Color->EstimateMinNumberOfSamples(first, last));
+    }
   }
   int width = MinimumWidth;
   const int limit = std::min(MaximumWidth, vtkTextureObject::GetMaximumTextureSize(window));

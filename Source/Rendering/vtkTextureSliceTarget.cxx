@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTextureSliceTarget.h"
 
+#include "vtkAbstractMapper.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkPointData.h"
+#include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureSliceFrame.h"
 #include "vtkTextureSliceOpenGL.h"
 #include "vtkTextureSliceParts.h"
+#include "vtkVolume.h"
 #include "vtkVolumeMapper.h"
 
-#include "TextureSliceBoxVS.h"
 #include "TextureSliceCompositeFS.h"
 
 #include <algorithm>
@@ -91,13 +95,18 @@ double FindDepth(const vtkTextureSliceFrame& frame, const float* place)
   return std::clamp(0.5 * z / w + 0.5, 0.0, 1.0);
 }
 
-} // namespace
-
-bool vtkTextureSliceResolution::IsInteractive(double allowedTime)
+/// The stage is known to the pass alone, but each one declares other textures.
+vtkTextureSlicePeeling::Stage FindStage(const std::string& declared)
 {
-  // The same border as in VTK's ray caster.
-  return allowedTime < 1.0;
+  const auto declares = [&declared](const char* name)
+  { return declared.find(name) != std::string::npos; };
+  return declares("depthRangeTex")       ? vtkTextureSlicePeeling::Rest
+         : !declares("innerDepthTex")    ? vtkTextureSlicePeeling::None
+         : declares("lastFrontColorTex") ? vtkTextureSlicePeeling::Between
+                                         : vtkTextureSlicePeeling::Outside;
 }
+
+} // namespace
 
 double vtkTextureSliceResolution::Choose(double allowedTime, double minimum, double maximum)
 {
@@ -120,6 +129,54 @@ void vtkTextureSliceResolution::Report(double seconds)
   const double full = seconds * this->LastDistance * this->LastDistance;
   // Averaged, so that one slow frame does not make the picture flicker.
   this->FullTime = this->FullTime > 0.0 ? 0.5 * (this->FullTime + full) : full;
+}
+
+const char* vtkTextureSlicePeeling::Update(
+  vtkRenderer* renderer, vtkAbstractMapper* mapper, vtkVolume* volume)
+{
+  this->Asked = None;
+  this->Picture = 0;
+  this->Mapper = mapper;
+  this->Volume = volume;
+  vtkInformation* keys = volume->GetPropertyKeys();
+  vtkInformationObjectBaseVectorKey* passes = vtkOpenGLRenderPass::RenderPasses();
+  const int count = keys != nullptr && keys->Has(passes) ? passes->Length(keys) : 0;
+  for (int i = 0; i < count; ++i)
+  {
+    auto* pass = vtkOpenGLRenderPass::SafeDownCast(passes->Get(keys, i));
+    // Where a pass that peels volumes declares its textures in the shader of VTK's ray caster.
+    const std::string mark = "//VTK::DepthPeeling::Dec";
+    std::string declared = mark;
+    if (pass != nullptr)
+    {
+      std::string vertexShader;
+      std::string geometryShader;
+      pass->PreReplaceShaderValues(vertexShader, geometryShader, declared, mapper, volume);
+    }
+    if (declared != mark)
+    {
+      this->Pass = pass;
+      this->Asked = FindStage(declared);
+      if (this->Asked == None)
+      {
+        return "a render pass peels the volume in a way that is not known: call "
+               "SetUseDepthPeelingForVolumes(false) on the renderer";
+      }
+      // VTK's pass takes all that is translucent for hidden where a pixel has several samples.
+      // Passes of the renderer's own draw into pictures without them.
+      return renderer->GetPass() == nullptr && renderer->GetRenderWindow()->GetMultiSamples() > 0
+               ? "VTK's depth peeling draws nothing in a window with multisamples: call "
+                 "SetMultiSamples(0) on the window"
+               : nullptr;
+    }
+  }
+  return nullptr;
+}
+
+void vtkTextureSlicePeeling::SetUniforms(vtkShaderProgram* program) const
+{
+  this->Pass->SetShaderParameters(program, this->Mapper, this->Volume);
+  program->SetUniformi("peelInFront", this->CountPictures() == 2 && this->Picture == 0 ? 1 : 0);
 }
 
 std::array<int, 2> vtkTextureSliceTarget::GetSize(vtkOpenGLRenderWindow* window, double pixelSize)
@@ -243,16 +300,20 @@ void vtkTextureSliceTarget::Composite(vtkTextureSliceParts& parts)
   state->SetEnumState(GL_BLEND, !features.Selection);
   const std::string defines = features.GetDefines();
   vtkShaderProgram* program = this->Box.Ready(this->Window, defines,
-    [&]() -> vtkSmartPointer<vtkShaderProgram>
+    [&defines]
     {
       std::string shader = TextureSliceCompositeFS;
       vtkShaderProgram::Substitute(shader, "//VTK::TextureSlice::Defines", defines);
-      return this->Window->GetShaderCache()->ReadyShaderProgram(
-        TextureSliceBoxVS, shader.c_str(), "");
+      return shader;
     });
   if (features.Peel > 0)
   {
-    parts.Peeling.SetBlending(state);
+    if (features.Peel != vtkTextureSlicePeeling::Rest)
+    {
+      // As the pass itself: where a volume draws nothing, the largest of nothing and what is there
+      // leaves it alone.
+      state->vtkglBlendEquation(GL_MAX);
+    }
     parts.Peeling.SetUniforms(program);
   }
   // Between an extreme and no sample at all there is nothing.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The picture of the volume before the window sees it, its resolution, and images of it.
+// The picture of the volume before the window sees it, its resolution, images of it, and which part
+// of the volume it is.
 #ifndef vtkTextureSliceTarget_h
 #define vtkTextureSliceTarget_h
 
@@ -13,8 +14,13 @@
 #include <string>
 #include <vector>
 
+class vtkAbstractMapper;
 class vtkImageData;
+class vtkOpenGLRenderPass;
 class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkShaderProgram;
+class vtkVolume;
 struct vtkTextureSliceParts;
 
 /// The image sample distance, pixels of the window for each pixel of the volume's picture along an
@@ -22,8 +28,9 @@ struct vtkTextureSliceParts;
 class VTKNEXRADRENDERING_EXPORT vtkTextureSliceResolution
 {
 public:
-  /// Whether a frame that may take that long, seconds, is one of an interaction.
-  static bool IsInteractive(double allowedTime);
+  /// Whether a frame that may take that long, seconds, is one of an interaction, as in VTK's ray
+  /// caster.
+  static bool IsInteractive(double allowedTime) { return allowedTime < 1.0; }
 
   /// The finest of the distances whose frame is expected to take no longer, clamped.
   /// @param allowedTime seconds.
@@ -34,6 +41,40 @@ public:
 private:
   double LastDistance = 1.0;
   double FullTime = 0.0; ///< expected at a distance of 1; 0: not known yet
+};
+
+/// VTK's dual depth peeling draws a volume several times a frame, each time by two pictures: of
+/// what is in front of the geometry that is not peeled yet, and of what is behind it. Its textures
+/// tell between which depths a pixel's part of the volume lies (TextureSliceRayFS).
+class vtkTextureSlicePeeling
+{
+public:
+  enum Stage
+  {
+    None,    ///< the volume is not peeled
+    Outside, ///< in front of all translucent geometry, and behind it
+    Between, ///< between two peels
+    Rest     ///< all that is left when there are no peels any more
+  };
+
+  /// Asks the render passes that draw the volume what they want.
+  /// @return one line that says why they cannot have it; nullptr if they can
+  const char* Update(vtkRenderer* renderer, vtkAbstractMapper* mapper, vtkVolume* volume);
+  Stage GetStage() const { return this->Asked; }
+
+  /// The pictures to be drawn one after the other; picture 0 is in front if there are two.
+  int CountPictures() const { return this->Asked == Outside || this->Asked == Between ? 2 : 1; }
+  /// Chooses the picture that is drawn next.
+  void SetPicture(int picture) { this->Picture = picture; }
+
+  void SetUniforms(vtkShaderProgram* program) const;
+
+private:
+  Stage Asked = None;
+  int Picture = 0;
+  vtkOpenGLRenderPass* Pass = nullptr;
+  vtkAbstractMapper* Mapper = nullptr;
+  vtkVolume* Volume = nullptr;
 };
 
 /// RGBA of associated colour (Formulas R3), and a copy of the depth of the opaque geometry.

@@ -39,8 +39,6 @@ namespace
 /// Columns and rows of a work group of TextureSliceCS.
 constexpr int GroupSize = 8;
 
-using Mapper = vtkOpenGLTextureSliceVolumeMapper;
-
 GLint GetInteger(GLenum name)
 {
   GLint value = 0;
@@ -119,22 +117,11 @@ std::string GetRendererName()
 /// @param main has a place for the parts, before which the defines of the features come.
 std::string MakeShader(std::string main, const std::string& defines)
 {
-  std::string parts = defines;
-  for (const char* part :
-    {TextureSliceRayFS, TextureSliceSamplingFS, TextureSliceLightingFS, TextureSliceColoringFS,
-      TextureSliceSamplesFS, TextureSliceSlabsFS, TextureSliceSurfacesFS, TextureSliceMarchFS})
-  {
-    parts += part;
-  }
-  vtkShaderProgram::Substitute(main, "//VTK::TextureSlice::Parts", parts);
+  vtkShaderProgram::Substitute(main, "//VTK::TextureSlice::Parts",
+    defines + TextureSliceRayFS + TextureSliceSamplingFS + TextureSliceLightingFS +
+      TextureSliceColoringFS + TextureSliceSamplesFS + TextureSliceSlabsFS +
+      TextureSliceSurfacesFS + TextureSliceMarchFS);
   return main;
-}
-
-vtkSmartPointer<vtkShaderProgram> MakeCompute(std::string source)
-{
-  auto program = vtkSmartPointer<ComputeProgram>::New();
-  program->SetSource(std::move(source));
-  return program;
 }
 
 /// Groups of a row, or of a column.
@@ -233,12 +220,20 @@ void Dispatch(
 } // namespace
 
 vtkShaderProgram* vtkTextureSliceBox::Ready(vtkOpenGLRenderWindow* window, const std::string& key,
-  const std::function<vtkSmartPointer<vtkShaderProgram>()>& make)
+  const std::function<std::string()>& makeSource, bool isCompute)
 {
   auto known = this->Programs.find(key);
-  if (known == this->Programs.end())
+  if (known == this->Programs.end() && isCompute)
   {
-    known = this->Programs.emplace(key, make()).first;
+    auto made = vtkSmartPointer<ComputeProgram>::New();
+    made->SetSource(makeSource());
+    known = this->Programs.emplace(key, made).first;
+  }
+  else if (known == this->Programs.end())
+  {
+    vtkShaderProgram* made =
+      window->GetShaderCache()->ReadyShaderProgram(TextureSliceBoxVS, makeSource().c_str(), "");
+    known = this->Programs.emplace(key, made).first;
   }
   vtkSmartPointer<vtkShaderProgram>& program = known->second;
   if (program != nullptr)
@@ -303,6 +298,23 @@ vtkTextureSliceWays::Way vtkTextureSliceWays::FindAsked(Way asked)
   return static_cast<Way>(name - Names.begin());
 }
 
+vtkTextureSliceWays::Way vtkTextureSliceWays::FindWay(
+  const vtkTextureSliceParts& parts, bool canBePolygons)
+{
+  Way way = this->FindAsked(static_cast<Way>(parts.Request.Mapper->GetWay()));
+  if (way == Mapper::AUTOMATIC || (way == Mapper::POLYGONS && !canBePolygons))
+  {
+    way = this->ChooseByTrial();
+  }
+  if (way == Mapper::COMPUTE && !HasCompute())
+  {
+    this->Fallback =
+      "the context has no compute shaders (GL_ARB_compute_shader): fragments draw the volume";
+    way = Mapper::FRAGMENTS;
+  }
+  return way;
+}
+
 vtkTextureSliceWays::Way vtkTextureSliceWays::ChooseByTrial()
 {
   // Polygons stand for a variable that is not set.
@@ -355,16 +367,10 @@ bool vtkTextureSliceWays::Ready(Way way, const vtkTextureSliceParts& parts, cons
 {
   const std::string defines = parts.Features.GetDefines() +
                               (way == Mapper::POLYGONS ? "#define TEXTURE_SLICE_POLYGONS 1\n" : "");
-  this->Program = this->Box.Ready(parts.Window, Names[way] + defines,
-    [&]() -> vtkSmartPointer<vtkShaderProgram>
-    {
-      if (way == Mapper::COMPUTE)
-      {
-        return MakeCompute(MakeShader(TextureSliceCS, defines));
-      }
-      return parts.Window->GetShaderCache()->ReadyShaderProgram(
-        TextureSliceBoxVS, MakeShader(TextureSliceFS, defines).c_str(), "");
-    });
+  const bool isCompute = way == Mapper::COMPUTE;
+  this->Program = this->Box.Ready(
+    parts.Window, Names[way] + defines,
+    [&] { return MakeShader(isCompute ? TextureSliceCS : TextureSliceFS, defines); }, isCompute);
   if (this->Program == nullptr)
   {
     this->Fallback = std::string("the shader of ") + Names[way] + " does not compile: " + instead;
@@ -378,19 +384,7 @@ bool vtkTextureSliceWays::Choose(const vtkTextureSliceParts& parts)
   this->IsTrialDue = false;
   const bool canBePolygons = parts.Features.BlendMode == Mapper::COMPOSITE_BLEND &&
                              !parts.Features.Slabs && parts.Features.Contours == 0;
-  Way way = parts.Features.Places
-              ? Mapper::FRAGMENTS
-              : this->FindAsked(static_cast<Way>(parts.Request.Mapper->GetWay()));
-  if (way == Mapper::AUTOMATIC || (way == Mapper::POLYGONS && !canBePolygons))
-  {
-    way = this->ChooseByTrial();
-  }
-  if (way == Mapper::COMPUTE && !HasCompute())
-  {
-    this->Fallback =
-      "the context has no compute shaders (GL_ARB_compute_shader): fragments draw the volume";
-    way = Mapper::FRAGMENTS;
-  }
+  Way way = parts.Features.Places ? Mapper::FRAGMENTS : this->FindWay(parts, canBePolygons);
   if (way == Mapper::COMPUTE && !this->Ready(Mapper::COMPUTE, parts, "fragments draw the volume"))
   {
     way = Mapper::FRAGMENTS;
@@ -441,22 +435,19 @@ bool vtkTextureSliceWays::SweepLight(const vtkTextureSliceParts& parts,
   const vtkTextureSliceLightCells& cells, const vtkTextureSliceLightVolume::Courses& courses,
   std::vector<float>& sums)
 {
-  const Way way = this->FindAsked(static_cast<Way>(parts.Request.Mapper->GetWay()));
-  if ((way == Mapper::AUTOMATIC ? this->ChooseByTrial() : way) != Mapper::COMPUTE || !HasCompute())
-  {
-    return false;
-  }
-  vtkShaderProgram* program =
-    this->Box.Ready(parts.Window, "light", [] { return MakeCompute(TextureSliceLightCS); });
+  vtkShaderProgram* program = this->FindWay(parts, true) == Mapper::COMPUTE
+                                ? this->Box.Ready(
+                                    parts.Window, "light", [] { return TextureSliceLightCS; }, true)
+                                : nullptr;
   if (program == nullptr)
   {
     return false;
   }
-  std::vector<vtkTextureSliceLightCells::Surface> surfaces = cells.GetSurfaces();
+  std::vector<vtkTextureSliceLightCells::Surface> surfaces = cells.Surfaces;
   program->SetUniformi("countOfSurfaces", static_cast<int>(surfaces.size()));
   surfaces.emplace_back(); // no buffer is empty
-  const auto values = MakeBuffer(0, cells.GetValues());
-  const auto rays = MakeBuffer(1, std::vector<float>(cells.GetGrid().CountCells(1)));
+  const auto values = MakeBuffer(0, cells.Values);
+  const auto rays = MakeBuffer(1, std::vector<float>(cells.Grid.CountCells(1)));
   const auto arriving = MakeBuffer(2, sums);
   const auto ways = MakeBuffer(3, courses);
   const auto crossed = MakeBuffer(4, surfaces);

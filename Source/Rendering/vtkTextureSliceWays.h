@@ -25,10 +25,10 @@ class vtkTextureSliceBox
 public:
   /// Makes a shader the current one.
   /// @param key what the shader depends on
-  /// @param make makes it if it is not known yet
+  /// @param makeSource gives its source if it is not known yet
   /// @return nullptr if it does not compile: then it is not made again
   vtkShaderProgram* Ready(vtkOpenGLRenderWindow* window, const std::string& key,
-    const std::function<vtkSmartPointer<vtkShaderProgram>()>& make);
+    const std::function<std::string()>& makeSource, bool isCompute = false);
   /// Draws by a fragment shader of which TextureSliceBoxVS is the vertex shader, after Ready.
   /// @param times how often, one after the other: the shader gets the number as "slice".
   void Draw(const vtkTextureSliceParts& parts, vtkShaderProgram* program, int times = 1);
@@ -71,6 +71,8 @@ public:
 private:
   /// What the environment variable VTK_TEXTURE_SLICE_WAY names takes precedence over @a asked.
   Way FindAsked(Way asked);
+  /// What draws volume and light, unless its shader does not compile.
+  Way FindWay(const vtkTextureSliceParts& parts, bool canBePolygons);
   /// What AUTOMATIC stands for. The first picture is drawn by fragments where there was no trial
   /// yet, because a trial takes longer than a program with one picture can gain by it. In software
   /// the same processor runs both ways: fragments, unless the environment variable asks for a

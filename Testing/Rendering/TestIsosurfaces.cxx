@@ -3,7 +3,7 @@
 #include "RenderingTest.h"
 #include "Tolerance.h"
 
-#include "nexrad/Simulation/StormLife.h"
+#include "nexrad/Simulation/StormField.h"
 #include "nexrad/Simulation/StormSnapshot.h"
 
 #include "vtkActor.h"
@@ -285,7 +285,7 @@ protected:
   std::unique_ptr<Scene> Stage;
   vtkSmartPointer<vtkImageData> Input;
   vtkNew<vtkOpenGLTextureSliceVolumeMapper> Mapper;
-  StormSnapshot Storm;
+  StormSnapshot Storm{{}, {}, 0.0};
   Vector Away{};
   Vector Up{};
   Vector Right{};

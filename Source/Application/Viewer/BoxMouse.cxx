@@ -13,11 +13,9 @@
 
 #include <QAction>
 #include <QCheckBox>
-#include <QDockWidget>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QMainWindow>
 #include <QMouseEvent>
 #include <QToolButton>
 #include <QVBoxLayout>

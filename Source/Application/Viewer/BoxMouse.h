@@ -12,8 +12,6 @@
 #include <optional>
 
 class QAction;
-class QDockWidget;
-class QMainWindow;
 class QMouseEvent;
 class QPointF;
 class QString;
@@ -82,10 +80,6 @@ private:
   std::optional<std::array<double, 2>> from; ///< corner at which the drag began, of the volume
   std::array<double, 4> faces{};             ///< west, east, south, north; of the drag
 };
-
-class BoxMouse;
-class Playback;
-class SceneView;
 
 /// The box in finer voxels as buttons, a switch, and what it is: its size, voxels and time. `box`
 /// must outlive it.

@@ -58,8 +58,7 @@ std::string FitMap(const scene::SceneOptions& options, vtkNexradVolumeScene* sce
 application::Session WithMoment(application::Session shown, MomentName moment)
 {
   InputRequest& input = shown.drawing.input;
-  input.grid.moment = moment;
-  input.grid.furtherMoments.clear();
+  input.grid.moments = {moment};
   input.momentNamed = true;
   scene::SceneOptions& options = shown.drawing.scene;
   options.preset.clear(); // those of the moment before are not of this one
@@ -85,11 +84,9 @@ application::Session WithMapOf(application::Session shown, const std::string& ar
   {
     shown.drawing.scene.plan->array = array;
   }
-  if (!array.empty() && !shown.drawing.input.grid.beam.ancillary)
-  {
-    // Captions state the ages of data, also once the volume is back.
-    shown.drawing.input.grid.beam.ancillary = true;
-  }
+  // Captions state the ages of data, also once the volume is back.
+  bool& ancillary = shown.drawing.input.grid.beam.ancillary;
+  ancillary = ancillary || !array.empty();
   return shown;
 }
 

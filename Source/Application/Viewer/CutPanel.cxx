@@ -2,6 +2,7 @@
 #include "Viewer/CutPanel.h"
 
 #include "Scene/Frame/VolumeInformation.h"
+#include "Scene/SceneOptions.h"
 #include "Viewer/SceneView.h"
 #include "Viewer/Widgets.h"
 #include "nexrad/Geometry/Angles.h"
@@ -34,42 +35,6 @@
 
 namespace nexrad::viewer
 {
-
-/// The crop box and the clip plane in the scene, with handles for the mouse: the balls move faces
-/// of the box, the plane is moved along its arrow and turned by it.
-class CutHandles
-{
-public:
-  /// `view` must outlive it. `moved`: the mouse changed the box or the plane of the scene;
-  /// `settled`: it let go of them.
-  CutHandles(SceneView& view, std::function<void()> moved, std::function<void()> settled);
-  CutHandles(const CutHandles&) = delete;
-  CutHandles& operator=(const CutHandles&) = delete;
-
-  /// Shows the handles of what the scene cuts, or none, where the scene has its box and its plane.
-  /// True when they changed, so that the scene must be drawn.
-  bool Follow(bool shown);
-
-private:
-  /// Where the handles are to be in the scene: the box, or the plane's origin and normal with the
-  /// box about it; empty: not shown.
-  std::vector<double> BoxPlace() const;
-  std::vector<double> PlanePlace() const;
-  void TakeBox();
-  void TakePlane();
-  void Settle() { settled(); }
-
-  SceneView& view;
-  std::function<void()> moved;
-  std::function<void()> settled;
-  vtkNew<vtkBoxWidget2> box;
-  vtkNew<vtkBoxRepresentation> boxShape;
-  vtkNew<vtkImplicitPlaneWidget2> plane;
-  vtkNew<vtkImplicitPlaneRepresentation> planeShape;
-  std::vector<double> boxPlace;   ///< that is shown
-  std::vector<double> planePlace; ///< that is shown
-};
-
 namespace
 {
 
@@ -104,135 +69,6 @@ std::array<double, 6> ToScene(vtkNexradVolumeScene* scene, const std::array<doub
   return {low[0], high[0], low[1], high[1], low[2], high[2]};
 }
 
-} // namespace
-
-CutHandles::CutHandles(
-  SceneView& sceneView, std::function<void()> whenMoved, std::function<void()> whenSettled)
-  : view(sceneView)
-  , moved(std::move(whenMoved))
-  , settled(std::move(whenSettled))
-{
-  boxShape->SetPlaceFactor(1.0);
-  boxShape->GetFaceProperty()->SetOpacity(0.0);
-  boxShape->GetSelectedFaceProperty()->SetOpacity(0.0);
-  box->SetRepresentation(boxShape);
-  box->RotationEnabledOff();
-  box->SetInteractor(view.interactor());
-  box->SetDefaultRenderer(view.Scene()->GetRenderer());
-  box->AddObserver(vtkCommand::InteractionEvent, this, &CutHandles::TakeBox);
-  box->AddObserver(vtkCommand::EndInteractionEvent, this, &CutHandles::Settle);
-  planeShape->SetPlaceFactor(1.0);
-  planeShape->OutlineTranslationOff();
-  planeShape->ScaleEnabledOff();
-  planeShape->GetPlaneProperty()->SetOpacity(0.15);
-  planeShape->GetSelectedPlaneProperty()->SetOpacity(0.25);
-  plane->SetRepresentation(planeShape);
-  plane->SetInteractor(view.interactor());
-  plane->SetDefaultRenderer(view.Scene()->GetRenderer());
-  plane->AddObserver(vtkCommand::InteractionEvent, this, &CutHandles::TakePlane);
-  plane->AddObserver(vtkCommand::EndInteractionEvent, this, &CutHandles::Settle);
-}
-
-bool CutHandles::Follow(bool shown)
-{
-  // Without a cut the scene is not updated here: its first update takes long, and drawing does it.
-  const bool any =
-    shown && view.Scene()->GetVolume() != nullptr && !view.Scene()->GetOptions().plan &&
-    (view.Scene()->GetCropping() || view.Scene()->GetClipping()) && view.Scene()->Update();
-  const std::vector<double> newBox =
-    any && view.Scene()->GetCropping() ? this->BoxPlace() : std::vector<double>{};
-  const std::vector<double> newPlane =
-    any && view.Scene()->GetClipping() ? this->PlanePlace() : std::vector<double>{};
-  const bool changed = newBox != boxPlace || newPlane != planePlace;
-  if (!newBox.empty() && newBox != boxPlace)
-  {
-    std::array<double, 6> place{};
-    std::copy_n(newBox.begin(), 6, place.begin());
-    boxShape->PlaceWidget(place.data());
-  }
-  if (!newPlane.empty() && newPlane != planePlace)
-  {
-    std::array<double, 6> place{};
-    std::copy_n(newPlane.begin() + 6, 6, place.begin());
-    planeShape->PlaceWidget(place.data());
-    planeShape->SetOrigin(newPlane[0], newPlane[1], newPlane[2]);
-    planeShape->SetNormal(newPlane[3], newPlane[4], newPlane[5]);
-  }
-  box->SetEnabled(newBox.empty() ? 0 : 1);
-  plane->SetEnabled(newPlane.empty() ? 0 : 1);
-  boxPlace = newBox;
-  planePlace = newPlane;
-  return changed;
-}
-
-std::vector<double> CutHandles::BoxPlace() const
-{
-  std::array<double, 6> faces{};
-  view.Scene()->GetCropBounds(faces.data());
-  const std::array<double, 6> place = ToScene(view.Scene(), faces);
-  return {place.begin(), place.end()};
-}
-
-std::vector<double> CutHandles::PlanePlace() const
-{
-  Point point{};
-  view.Scene()->GetClipOrigin(point.data());
-  const Point origin = ToScene(view.Scene(), point);
-  const Point scale = ScaleOf(view.Scene());
-  const double* normal = view.Scene()->GetClipNormal();
-  const std::array<double, 6> around =
-    ToScene(view.Scene(), scene::FacesOf(view.Scene()->GetVolume()));
-  std::vector<double> place(origin.begin(), origin.end());
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    place.push_back(normal[axis] / scale[axis]);
-  }
-  place.insert(place.end(), around.begin(), around.end());
-  return place;
-}
-
-// What the mouse made of the box, at most the whole volume and at least a voxel.
-void CutHandles::TakeBox()
-{
-  vtkNexradVolumeScene* scene = view.Scene();
-  const double* seen = boxShape->GetBounds();
-  const Point low = ToVolume(scene, {seen[0], seen[2], seen[4]});
-  const Point high = ToVolume(scene, {seen[1], seen[3], seen[5]});
-  const std::array<double, 6> faces = scene::FacesOf(scene->GetVolume());
-  std::array<double, 6> taken{};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    const double voxel = scene->GetVolume()->GetSpacing()[axis];
-    const double first = faces[2 * axis];
-    const double last = faces[2 * axis + 1];
-    taken[2 * axis] = std::clamp(low[axis], first, last - voxel);
-    taken[2 * axis + 1] = std::clamp(high[axis], taken[2 * axis] + voxel, last);
-  }
-  scene->SetCropBounds(taken.data());
-  boxPlace.clear();
-  moved();
-}
-
-void CutHandles::TakePlane()
-{
-  vtkNexradVolumeScene* scene = view.Scene();
-  Point origin{};
-  planeShape->GetOrigin(origin.data());
-  scene->SetClipOrigin(ToVolume(scene, origin).data());
-  const Point scale = ScaleOf(scene);
-  const double* seen = planeShape->GetNormal();
-  Point normal = {seen[0] * scale[0], seen[1] * scale[1], seen[2] * scale[2]};
-  const double length = std::hypot(normal[0], normal[1], normal[2]);
-  std::transform(
-    normal.begin(), normal.end(), normal.begin(), [length](double part) { return part / length; });
-  scene->SetClipNormal(normal.data());
-  planePlace.clear();
-  moved();
-}
-
-namespace
-{
-
 constexpr double thinnest = 0.1; // of the box, in the unit of its numbers
 constexpr double farOff = 9e6;   // m: only a face that was never set is so far away
 
@@ -266,11 +102,167 @@ void Show(QDoubleSpinBox* box, double value)
 
 } // namespace
 
+/// The crop box and the clip plane in the scene, with handles for the mouse: the balls move faces
+/// of the box, the plane is moved along its arrow and turned by it.
+class CutHandles
+{
+public:
+  /// `view` must outlive it. `moved`: the mouse changed the box or the plane of the scene;
+  /// `settled`: it let go of them.
+  CutHandles(
+    SceneView& sceneView, std::function<void()> whenMoved, std::function<void()> whenSettled)
+    : view(sceneView)
+    , moved(std::move(whenMoved))
+    , settled(std::move(whenSettled))
+  {
+    boxShape->SetPlaceFactor(1.0);
+    boxShape->GetFaceProperty()->SetOpacity(0.0);
+    boxShape->GetSelectedFaceProperty()->SetOpacity(0.0);
+    box->SetRepresentation(boxShape);
+    box->RotationEnabledOff();
+    box->SetInteractor(view.interactor());
+    box->SetDefaultRenderer(view.Scene()->GetRenderer());
+    box->AddObserver(vtkCommand::InteractionEvent, this, &CutHandles::TakeBox);
+    box->AddObserver(vtkCommand::EndInteractionEvent, this, &CutHandles::Settle);
+    planeShape->SetPlaceFactor(1.0);
+    planeShape->OutlineTranslationOff();
+    planeShape->ScaleEnabledOff();
+    planeShape->GetPlaneProperty()->SetOpacity(0.15);
+    planeShape->GetSelectedPlaneProperty()->SetOpacity(0.25);
+    plane->SetRepresentation(planeShape);
+    plane->SetInteractor(view.interactor());
+    plane->SetDefaultRenderer(view.Scene()->GetRenderer());
+    plane->AddObserver(vtkCommand::InteractionEvent, this, &CutHandles::TakePlane);
+    plane->AddObserver(vtkCommand::EndInteractionEvent, this, &CutHandles::Settle);
+  }
+
+  CutHandles(const CutHandles&) = delete;
+  CutHandles& operator=(const CutHandles&) = delete;
+
+  /// Shows the handles of what the scene cuts, or none, where the scene has its box and its plane.
+  /// True when they changed, so that the scene must be drawn.
+  bool Follow(bool shown)
+  {
+    // Without a cut the scene is not updated here: its first update takes long, and drawing does
+    // it.
+    const bool any =
+      shown && view.Scene()->GetVolume() != nullptr && !view.Scene()->GetOptions().plan &&
+      (view.Scene()->GetCropping() || view.Scene()->GetClipping()) && view.Scene()->Update();
+    std::vector<double> newBox =
+      any && view.Scene()->GetCropping() ? this->BoxPlace() : std::vector<double>{};
+    std::vector<double> newPlane =
+      any && view.Scene()->GetClipping() ? this->PlanePlace() : std::vector<double>{};
+    const bool changed = newBox != boxPlace || newPlane != planePlace;
+    if (!newBox.empty() && newBox != boxPlace)
+    {
+      boxShape->PlaceWidget(newBox.data());
+    }
+    if (!newPlane.empty() && newPlane != planePlace)
+    {
+      planeShape->PlaceWidget(newPlane.data() + 6);
+      planeShape->SetOrigin(newPlane[0], newPlane[1], newPlane[2]);
+      planeShape->SetNormal(newPlane[3], newPlane[4], newPlane[5]);
+    }
+    box->SetEnabled(newBox.empty() ? 0 : 1);
+    plane->SetEnabled(newPlane.empty() ? 0 : 1);
+    boxPlace = newBox;
+    planePlace = newPlane;
+    return changed;
+  }
+
+private:
+  /// Where the handles are to be in the scene: the box, or the plane's origin and normal with the
+  /// box about it; empty: not shown.
+  std::vector<double> BoxPlace() const
+  {
+    std::array<double, 6> faces{};
+    view.Scene()->GetCropBounds(faces.data());
+    const std::array<double, 6> place = ToScene(view.Scene(), faces);
+    return {place.begin(), place.end()};
+  }
+
+  std::vector<double> PlanePlace() const
+  {
+    Point point{};
+    view.Scene()->GetClipOrigin(point.data());
+    const Point origin = ToScene(view.Scene(), point);
+    const Point scale = ScaleOf(view.Scene());
+    const double* normal = view.Scene()->GetClipNormal();
+    const std::array<double, 6> around =
+      ToScene(view.Scene(), scene::FacesOf(view.Scene()->GetVolume()));
+    std::vector<double> place(origin.begin(), origin.end());
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      place.push_back(normal[axis] / scale[axis]);
+    }
+    place.insert(place.end(), around.begin(), around.end());
+    return place;
+  }
+
+  // What the mouse made of the box, at most the whole volume and at least a voxel.
+  void TakeBox()
+  {
+    vtkNexradVolumeScene* scene = view.Scene();
+    const double* seen = boxShape->GetBounds();
+    const Point low = ToVolume(scene, {seen[0], seen[2], seen[4]});
+    const Point high = ToVolume(scene, {seen[1], seen[3], seen[5]});
+    const std::array<double, 6> faces = scene::FacesOf(scene->GetVolume());
+    std::array<double, 6> taken{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double voxel = scene->GetVolume()->GetSpacing()[axis];
+      const double first = faces[2 * axis];
+      const double last = faces[2 * axis + 1];
+      taken[2 * axis] = std::clamp(low[axis], first, last - voxel);
+      taken[2 * axis + 1] = std::clamp(high[axis], taken[2 * axis] + voxel, last);
+    }
+    scene->SetCropBounds(taken.data());
+    boxPlace.clear();
+    moved();
+  }
+
+  void TakePlane()
+  {
+    vtkNexradVolumeScene* scene = view.Scene();
+    Point origin{};
+    planeShape->GetOrigin(origin.data());
+    scene->SetClipOrigin(ToVolume(scene, origin).data());
+    const Point scale = ScaleOf(scene);
+    const double* seen = planeShape->GetNormal();
+    Point normal = {seen[0] * scale[0], seen[1] * scale[1], seen[2] * scale[2]};
+    const double length = std::hypot(normal[0], normal[1], normal[2]);
+    std::transform(normal.begin(), normal.end(), normal.begin(),
+      [length](double part) { return part / length; });
+    scene->SetClipNormal(normal.data());
+    planePlace.clear();
+    moved();
+  }
+
+  void Settle() { settled(); }
+
+  SceneView& view;
+  std::function<void()> moved;
+  std::function<void()> settled;
+  vtkNew<vtkBoxWidget2> box;
+  vtkNew<vtkBoxRepresentation> boxShape;
+  vtkNew<vtkImplicitPlaneWidget2> plane;
+  vtkNew<vtkImplicitPlaneRepresentation> planeShape;
+  std::vector<double> boxPlace;   ///< that is shown
+  std::vector<double> planePlace; ///< that is shown
+};
+
 CutPanel::CutPanel(SceneView& sceneView, QWidget* parent)
   : QWidget(parent)
   , view(sceneView)
   , handles(std::make_unique<CutHandles>(
-      sceneView, [this] { this->FollowHandles(); }, [this] { this->FollowSoon(); }))
+      sceneView,
+      [this]
+      {
+        this->FollowBox();
+        this->FollowPlane();
+        view.DrawSoon();
+      },
+      [this] { this->FollowSoon(); }))
   , follow(new Soon(this, [this] { this->Follow(); }))
 {
   this->setObjectName("cut panel");
@@ -438,13 +430,6 @@ void CutPanel::Follow()
   {
     view.DrawSoon();
   }
-}
-
-void CutPanel::FollowHandles()
-{
-  this->FollowBox();
-  this->FollowPlane();
-  view.DrawSoon();
 }
 
 void CutPanel::FollowBox()

@@ -41,7 +41,6 @@ private:
   void TakePlane();
   void ShowChange();
   void Follow();
-  void FollowHandles();
   void FollowBox();
   void FollowPlane();
 

@@ -3,7 +3,7 @@
 
 #include "Export/MovieExport.h"
 #include "Export/SceneState.h"
-#include "Options/OptionTexts.h"
+#include "Options/DrawingOptions.h"
 #include "Options/SessionFile.h"
 #include "Output/OutputFile.h"
 #include "Viewer/Playback.h"

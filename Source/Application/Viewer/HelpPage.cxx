@@ -20,19 +20,14 @@ constexpr char beginning[] =
   "the picture are on the right. Hold the pointer over a setting to read what it does and in which "
   "unit it is.</p>";
 
-struct Gesture
+// Of a table.
+struct TableRow
 {
-  const char* mouse;
-  const char* does;
+  const char* first;
+  const char* second;
 };
 
-struct Task
-{
-  const char* wanted;
-  const char* way;
-};
-
-constexpr Task tasks[] = {
+constexpr TableRow tasks[] = {
   {"Read a value", "hold the pointer over an echo; the line at the bottom right says its value, "
                    "place and height"},
   {"See less, or more, of the storm", "Preset, in the panel Look"},
@@ -47,7 +42,7 @@ constexpr Task tasks[] = {
                                "that draws the picture"},
 };
 
-constexpr Gesture gestures[] = {
+constexpr TableRow gestures[] = {
   {"left button, drag", "turn and tilt"},
   {"middle button, or Shift and left button, drag", "move"},
   {"wheel", "zoom towards the place under the pointer"},
@@ -64,30 +59,15 @@ QString Row(const QString& first, const QString& second)
     .arg(first.toHtmlEscaped(), second.toHtmlEscaped());
 }
 
-QString TasksPart()
+template <std::size_t Count>
+QString Part(const QString& title, const TableRow (&table)[Count])
 {
   QString rows;
-  for (const Task& task : tasks)
+  for (const TableRow& row : table)
   {
-    rows += Row(task.wanted, task.way);
+    rows += Row(row.first, row.second);
   }
-  return "<h3>What to do for what</h3><table>" + rows + "</table>";
-}
-
-QString MousePart()
-{
-  QString rows;
-  for (const Gesture& gesture : gestures)
-  {
-    rows += Row(gesture.mouse, gesture.does);
-  }
-  return "<h3>Mouse on the picture</h3><table>" + rows + "</table>";
-}
-
-// "&Open files…" is the text of a menu.
-QString Plain(QString text)
-{
-  return text.remove('&').remove(QString::fromUtf8("…"));
+  return "<h3>" + title + "</h3><table>" + rows + "</table>";
 }
 
 QString KeysPart(const QList<QAction*>& actions)
@@ -104,7 +84,8 @@ QString KeysPart(const QList<QAction*>& actions)
     if (!keys.isEmpty() && !listed.contains(keys))
     {
       listed << keys;
-      rows += Row(keys, Plain(action->text().section('\t', 0, 0)));
+      const QString text = action->text().section('\t', 0, 0); // as "&Open files…"
+      rows += Row(keys, QString(text).remove('&').remove(QString::fromUtf8("…")));
     }
   }
   return "<h3>Keys</h3><table>" + rows + "</table>";
@@ -120,7 +101,8 @@ HelpPage::HelpPage(const QList<QAction*>& actions, QWidget* parent)
   auto* page = new QTextBrowser(this);
   page->setObjectName("help");
   page->setAccessibleName("Help");
-  page->setHtml(beginning + TasksPart() + MousePart() + KeysPart(actions));
+  page->setHtml(beginning + Part("What to do for what", tasks) +
+                Part("Mouse on the picture", gestures) + KeysPart(actions));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(page);

@@ -3,12 +3,12 @@
 
 #include "Export/SceneState.h"
 #include "Scene/Frame/VolumeInformation.h"
+#include "Viewer/ChosenArrays.h"
 #include "Viewer/Widgets.h"
 
 #include <vtkImageData.h>
 #include <vtkNexradTransferFunction.h>
 #include <vtkNexradVolumeScene.h>
-#include <vtkPointData.h>
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -61,6 +61,22 @@ bool IsProduct(const View& view)
   return view && scene::IsColumnProduct(*view);
 }
 
+struct Ancillary
+{
+  const char* ending; // of the name of the array
+  const char* name;
+  const char* tip;
+};
+constexpr Ancillary ancillaryArrays[] = {
+  {"_radars", "Number of radars", "how many radars scanned each place"},
+  {"_age", "Age of the data", "time between the volume and the nearest ray, in minutes"},
+  {"_site", "Nearest radar", "which radar that scanned the place is nearest to it"},
+  {"_weight", "Weight", "sum of the weights of the radars that scanned the place"}};
+
+constexpr char missing[] =
+  ". Off: these volumes were made without ancillary arrays. Merge the radar files with nexrad3d "
+  "grid --ancillary (method beam), or open the radar files themselves.";
+
 } // namespace
 
 LookPanel::LookPanel(vtkNexradVolumeScene* shownScene, QWidget* parent)
@@ -75,15 +91,10 @@ LookPanel::LookPanel(vtkNexradVolumeScene* shownScene, QWidget* parent)
   this->Follow();
 }
 
-QComboBox* LookPanel::AddChoice(QFormLayout* form, const QString& name, const QString& tip,
-  const std::vector<QString>& entries, const std::function<int()>& get,
-  const std::function<void(int)>& set)
+QComboBox* LookPanel::AddBox(
+  QFormLayout* form, const QString& name, const QString& tip, const std::function<void(int)>& set)
 {
   auto* box = Named(new QComboBox(this), name, tip);
-  for (const QString& entry : entries)
-  {
-    box->addItem(entry);
-  }
   form->addRow(name, box);
   connect(box, qOverload<int>(&QComboBox::activated), this,
     [this, set](int index)
@@ -91,6 +102,14 @@ QComboBox* LookPanel::AddChoice(QFormLayout* form, const QString& name, const QS
       set(index);
       emit Changed();
     });
+  return box;
+}
+
+QComboBox* LookPanel::AddChoice(QFormLayout* form, const QString& name, const QString& tip,
+  const QStringList& entries, const std::function<int()>& get, const std::function<void(int)>& set)
+{
+  QComboBox* box = this->AddBox(form, name, tip, set);
+  box->addItems(entries);
   follow.push_back([box, get] { box->setCurrentIndex(get()); });
   return box;
 }
@@ -104,7 +123,7 @@ void LookPanel::Change(const std::function<void(scene::SceneOptions&)>& change)
 
 template <typename Choice>
 void LookPanel::AddChoice(QFormLayout* form, const QString& name, const QString& tip,
-  const std::vector<QString>& entries, Choice scene::SceneOptions::*member)
+  const QStringList& entries, Choice scene::SceneOptions::*member)
 {
   this->AddChoice(
     form, name, tip, entries,
@@ -172,32 +191,27 @@ void LookPanel::AddNumber(QFormLayout* form, const QString& name, const QString&
 
 void LookPanel::AddMoments(QFormLayout* form)
 {
-  shownMoment = this->AddChoice(
-    form, "Moment",
+  shownMoment = this->AddBox(form, "Moment",
     "Which moment of the radars is shown, of those in the files: REF reflectivity, VEL radial "
     "velocity, SW spectrum width, ZDR, PHI and RHO of two polarisations",
-    {}, [] { return 0; }, [this](int) { emit MomentChosen(shownMoment->currentText()); });
-  follow.back() = [this] { this->FollowMoments(); };
-  colourArray = this->AddChoice(
-    form, "Colours of",
-    "Another array gives the colours; the moment then gives the opacities alone", {},
-    [] { return 0; }, [this](int) { emit ColoursChosen(ChosenArray(colourArray)); });
-  follow.pop_back(); // FollowMoments does both
-  KeepNarrow(shownMoment);
-  KeepNarrow(colourArray);
+    [this](int) { emit MomentChosen(shownMoment->currentText()); });
+  colourArray = this->AddBox(form, "Colours of",
+    "Another array gives the colours; the moment then gives the opacities alone",
+    [this](int) { emit ColoursChosen(colourArray->currentData().toString()); });
+  follow.push_back([this] { this->FollowMoments(); });
 }
 
 void LookPanel::AddDrawing(QFormLayout* form)
 {
   this->AddMoments(form);
-  presets = this->AddChoice(
-    form, "Preset", "Colours and opacities of the moment that is shown; iso-values draws surfaces",
-    {}, [] { return 0; }, [this](int) { scene->SetPreset(presets->currentText().toStdString()); });
-  follow.back() = [this] { this->FollowPresets(); };
-  std::vector<QString> counts = {"automatic"};
+  presets = this->AddBox(form, "Preset",
+    "Colours and opacities of the moment that is shown; iso-values draws surfaces",
+    [this](int) { scene->SetPreset(presets->currentText().toStdString()); });
+  follow.push_back([this] { this->FollowPresets(); });
+  QStringList counts = {"automatic"};
   for (const int count : sliceCounts)
   {
-    counts.push_back(QString::number(count));
+    counts << QString::number(count);
   }
   this->AddChoice(
     form, "Slices", "Slices through the volume: more are finer, and take longer", counts,
@@ -233,6 +247,13 @@ void LookPanel::AddDrawing(QFormLayout* form)
     [this] { return scene->GetParallelProjection() ? 1 : 0; },
     [this](int index) { scene->SetParallelProjection(index == 1); });
   this->AddMaps(form);
+  // They keep their width, and the picture beside the panel its size, when other entries come.
+  constexpr int letters = 8;
+  for (QComboBox* box : {shownMoment, colourArray, mapArray})
+  {
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(letters);
+  }
 }
 
 void LookPanel::AddMaps(QFormLayout* form)
@@ -248,12 +269,9 @@ void LookPanel::AddMaps(QFormLayout* form)
       return static_cast<int>(place - offeredViews.begin());
     },
     [this](int index) { this->ChooseView(offeredViews[static_cast<std::size_t>(index)]); });
-  mapArray = this->AddChoice(
-    form, "Map of",
-    "What a map shows of the voxel of each column: the moment, or how the radars saw the voxel", {},
-    [] { return 0; }, [this](int) { emit MapArrayChosen(ChosenArray(mapArray)); });
-  follow.pop_back(); // FollowMoments does it
-  KeepNarrow(mapArray);
+  mapArray = this->AddBox(form, "Map of",
+    "What a map shows of the voxel of each column: the moment, or how the radars saw the voxel",
+    [this](int) { emit MapArrayChosen(mapArray->currentData().toString()); });
   mapHeight = this->AddNumber(
     form, "Map height", "Height of the map at a height, km above mean sea level", 0.0, 30.0, 0.5,
     " km", "", [] { return 0.0; },
@@ -365,7 +383,6 @@ void LookPanel::AddSurroundings(QFormLayout* form)
 void LookPanel::FollowMoments()
 {
   vtkImageData* volume = scene->GetVolume();
-  vtkPointData* arrays = volume != nullptr ? volume->GetPointData() : nullptr;
   const auto shown = QString::fromStdString(scene::ArrayOf(volume));
   QStringList names;
   for (const MomentName moment : moments)
@@ -387,10 +404,36 @@ void LookPanel::FollowMoments()
   SetEntries(shownMoment, names);
   shownMoment->setCurrentText(shown);
   names.removeAll(shown);
-  OfferedArrays offered{shown, names, arrays, makesAncillary};
-  OfferArrays(offered, QString::fromStdString(scene->GetOptions().colourBy), colourArray);
-  offered.moments.clear();
-  OfferArrays(offered, QString::fromStdString(map.array), mapArray);
+  this->OfferArrays(colourArray, names, scene->GetOptions().colourBy);
+  this->OfferArrays(mapArray, {}, map.array);
+}
+
+void LookPanel::OfferArrays(QComboBox* box, const QStringList& others, const std::string& chosen)
+{
+  QStringList names = QStringList("Same moment") + others;
+  for (const Ancillary& ancillary : ancillaryArrays)
+  {
+    names << ancillary.name;
+  }
+  SetEntries(box, names);
+  int place = 0;
+  box->setItemData(place++, QString());
+  for (const QString& moment : others)
+  {
+    box->setItemData(place++, moment);
+  }
+  auto* entries = qobject_cast<QStandardItemModel*>(box->model());
+  for (const Ancillary& ancillary : ancillaryArrays)
+  {
+    const std::string array = scene::ArrayOf(scene->GetVolume()) + ancillary.ending;
+    const bool on = makesAncillary || HasArray(scene->GetVolume(), array);
+    const auto name = QString::fromStdString(array);
+    box->setItemData(place, name);
+    entries->item(place)->setEnabled(on);
+    const QString tip = name + ": " + ancillary.tip;
+    box->setItemData(place++, on ? tip : tip + missing, Qt::ToolTipRole);
+  }
+  box->setCurrentIndex(std::max(0, box->findData(QString::fromStdString(chosen))));
 }
 
 void LookPanel::FollowPresets()

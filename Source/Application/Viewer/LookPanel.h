@@ -47,12 +47,14 @@ signals:
   void Changed();
 
 private:
+  QComboBox* AddBox(QFormLayout* form, const QString& name, const QString& tip,
+    const std::function<void(int)>& set);
   QComboBox* AddChoice(QFormLayout* form, const QString& name, const QString& tip,
-    const std::vector<QString>& entries, const std::function<int()>& get,
+    const QStringList& entries, const std::function<int()>& get,
     const std::function<void(int)>& set);
   template <typename Choice>
   void AddChoice(QFormLayout* form, const QString& name, const QString& tip,
-    const std::vector<QString>& entries, Choice scene::SceneOptions::*member);
+    const QStringList& entries, Choice scene::SceneOptions::*member);
   void AddSwitch(
     QFormLayout* form, const QString& name, const QString& tip, bool scene::SceneOptions::*member);
   QDoubleSpinBox* AddNumber(QFormLayout* form, const QString& name, const QString& tip,
@@ -71,6 +73,11 @@ private:
   void FollowPresets();
   void FollowMaps();
   void FollowMoments();
+  /// Fills a box with the moment itself, other moments, and the ancillary arrays of the moment, and
+  /// shows the array that is chosen (empty: the moment itself). An array that the volume does not
+  /// have and that cannot be made is off; its tool tip says why. The data of an entry is its array,
+  /// as "REF_age"; empty: the moment itself.
+  void OfferArrays(QComboBox* box, const QStringList& others, const std::string& chosen);
 
   vtkNexradVolumeScene* scene;
   QComboBox* presets = nullptr;

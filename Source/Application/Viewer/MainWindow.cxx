@@ -10,13 +10,10 @@
 #include "Viewer/CutPanel.h"
 #include "Viewer/FileActions.h"
 #include "Viewer/HelpPage.h"
-#include "Viewer/InputWatch.h"
 #include "Viewer/LookPanel.h"
 #include "Viewer/Playback.h"
-#include "Viewer/PointerReadout.h"
 #include "Viewer/SceneView.h"
 #include "Viewer/SectionPanel.h"
-#include "Viewer/SeenVoxels.h"
 #include "Viewer/TimeLine.h"
 #include "Viewer/TransferFunctionChart.h"
 #include "Viewer/TransferFunctionEditor.h"
@@ -110,7 +107,6 @@ void ShowOrHide(QDockWidget* dock)
 MainWindow::MainWindow(const ViewRequest& viewRequest)
   : request(viewRequest)
   , playback(new Playback(this))
-  , watch(new InputWatch(this))
   , view(new SceneView(this))
 {
   files = new FileActions(
@@ -141,7 +137,6 @@ MainWindow::MainWindow(const ViewRequest& viewRequest)
   connect(playback, &Playback::Changed, this, &MainWindow::FollowPlayback);
   connect(playback, &Playback::Loaded, this, &MainWindow::ShowVolume);
   connect(playback, &Playback::Failed, this, &MainWindow::Report);
-  connect(watch, &InputWatch::Changed, playback, &Playback::Refresh);
   this->resize(request.size[0], request.size[1]);
   this->FollowPlayback();
   if (!request.input.inputs.empty())
@@ -225,31 +220,63 @@ void MainWindow::MakeTransferFunction(QDockWidget* lookDock)
 
 void MainWindow::MakeCutting()
 {
-  section = new SectionDock(*view, this);
-  this->addDockWidget(Qt::BottomDockWidgetArea, section);
-  connect(look, &LookPanel::Changed, section->Panel(), &SectionPanel::FollowSoon);
-  connect(playback, &Playback::Loaded, section->Panel(), &SectionPanel::FollowSoon);
+  section = new SectionPanel(*view, this);
+  QDockWidget* dock = this->AddDock("Section", "section dock", section, Qt::BottomDockWidgetArea);
+  dock->setFeatures(QDockWidget::DockWidgetClosable); // a chart of OpenGL stays in its window
+  dock->hide();
+  drawSection = new QAction("Draw a &section", dock);
+  drawSection->setShortcut(QKeySequence("X"));
+  drawSection->setToolTip("Drag on the ground from A to B: the vertical section along that line");
+  connect(drawSection, &QAction::triggered, dock,
+    [this, dock]
+    {
+      dock->show();
+      section->DrawLine(true);
+    });
+  connect(look, &LookPanel::Changed, section, &SectionPanel::FollowSoon);
+  connect(playback, &Playback::Loaded, section, &SectionPanel::FollowSoon);
   auto* cut = new CutPanel(*view, this);
   auto* lookDock = this->findChild<QDockWidget*>("look");
   box = new BoxMouse(*view, *playback);
-  new SeenVoxels(*view, *playback);
+  this->MakeSeenVoxels();
   this->tabifyDockWidget(lookDock, this->AddDock("Cut", "cut dock", new SettingsScroll(cut, this)));
   this->tabifyDockWidget(lookDock, this->AddDock("Box", "box dock", MakeBoxPanel(*box)));
   lookDock->raise();
   connect(box, &BoxMouse::Said, this, &MainWindow::Announce);
   // A drag on the ground makes the box or draws the line.
   QAction* make = box->MakeAction();
-  connect(section->Panel(), &SectionPanel::Draws, make, [make] { make->setChecked(false); });
-  connect(make, &QAction::toggled, section->Panel(),
+  connect(section, &SectionPanel::Draws, make, [make] { make->setChecked(false); });
+  connect(make, &QAction::toggled, section,
     [this](bool on)
     {
       if (on)
       {
-        section->Panel()->DrawLine(false);
+        section->DrawLine(false);
       }
     });
   connect(look, &LookPanel::Changed, cut, &CutPanel::FollowSoon);
   connect(playback, &Playback::Loaded, cut, &CutPanel::FollowSoon);
+}
+
+// Shows a volume in voxels as fine as the pixels, where its file has them: once the picture rests,
+// the part of the volume that is seen is read in them, and drawn in place of that part. A box that
+// the user makes goes first.
+void MainWindow::MakeSeenVoxels()
+{
+  constexpr int milliseconds = 250; // without another picture: it rests
+  auto* rest = new QTimer(view);
+  rest->setSingleShot(true);
+  rest->setInterval(milliseconds);
+  connect(rest, &QTimer::timeout, playback,
+    [this]
+    {
+      if (playback->State().leavesOutFiner)
+      {
+        playback->SetSeen(view->Scene()->SeenBox());
+      }
+    });
+  connect(view, &SceneView::PictureDrawn, rest, qOverload<>(&QTimer::start));
+  connect(view, &SceneView::CameraMoved, rest, qOverload<>(&QTimer::start));
 }
 
 void MainWindow::MakeMenus()
@@ -270,9 +297,9 @@ void MainWindow::MakeMenus()
   windows = this->menuBar()->addMenu("&View");
   ofVolume << windows->addAction(
     "&Camera as at first", view, &SceneView::ResetCamera, QKeySequence("R"));
-  windows->addAction(section->DrawAction());
+  windows->addAction(drawSection);
   windows->addActions(box->Actions());
-  ofVolume << section->DrawAction() << box->MakeAction();
+  ofVolume << drawSection << box->MakeAction();
   windows->addSeparator();
   for (QDockWidget* dock : this->findChildren<QDockWidget*>())
   {
@@ -280,7 +307,6 @@ void MainWindow::MakeMenus()
   }
   QMenu* help = this->menuBar()->addMenu("&Help");
   help->addAction("&Keys and mouse", this, &MainWindow::ShowHelp, QKeySequence::HelpContents);
-  this->FollowRecent();
 }
 
 void MainWindow::MakeStatus()
@@ -298,7 +324,7 @@ void MainWindow::MakeStatus()
   cancel->setToolTip("Stop opening, or stop loading the times that are not shown");
   cancel->setFocusPolicy(Qt::NoFocus);
   this->statusBar()->addWidget(doing, 1);
-  this->statusBar()->addPermanentWidget(new PointerReadout(*view, this));
+  this->statusBar()->addPermanentWidget(MakePointerReadout(*view));
   this->statusBar()->addPermanentWidget(progress);
   this->statusBar()->addPermanentWidget(cancel);
   connect(cancel, &QPushButton::clicked, playback,
@@ -325,7 +351,7 @@ void MainWindow::Open(const QStringList& paths)
     session.drawing.input.inputs.emplace_back(path.toStdString());
   }
   asked = paths;
-  watch->Watch(paths);
+  playback->Watch(paths);
   const QString name = QFileInfo(paths.front()).fileName();
   if (application::IsSessionFile(session.drawing.input.inputs.front()))
   {
@@ -338,7 +364,7 @@ void MainWindow::Open(const QStringList& paths)
 
 void MainWindow::OpenSyntheticDay()
 {
-  watch->Watch({}); // nothing is added to it
+  playback->Watch({}); // nothing is added to it
   asked.clear();
   application::Session session = this->NewSession();
   session.synthetic = true;
@@ -560,20 +586,16 @@ void MainWindow::FollowEmptiness()
   }
   else if (playback->HasSeries() && !failed && playback->IsWaiting())
   {
-    welcome->TellOpening(this->OpeningText());
+    welcome->TellOpening(opened.synthetic
+                           ? QString("Opening the synthetic day: three radars scan an hour of "
+                                     "SYNTHETIC storms first, which takes about half a minute")
+                           : "Opening " + title);
   }
   else
   {
     const QStringList problems = this->Problems();
     welcome->OfferToOpen(problems.isEmpty() ? QString() : "Not opened: " + problems.last());
   }
-}
-
-QString MainWindow::OpeningText() const
-{
-  return opened.synthetic ? QString("Opening the synthetic day: three radars scan an hour of "
-                                    "SYNTHETIC storms first, which takes about half a minute")
-                          : "Opening " + title;
 }
 
 QStringList MainWindow::Problems() const
@@ -679,10 +701,7 @@ void MainWindow::FollowRecent()
 {
   recent->clear();
   const QStringList paths = QSettings().value(recentKey).toStringList();
-  if (welcome != nullptr)
-  {
-    welcome->SetRecent(paths);
-  }
+  welcome->SetRecent(paths);
   for (const QString& path : paths)
   {
     recent->addAction(path, this, [this, path] { this->Open({path}); });

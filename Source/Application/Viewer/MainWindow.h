@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Options/DrawingOptions.h"
 #include "Options/SessionFile.h"
-#include "Requests/DrawingRequest.h"
 
 #include <QList>
 #include <QMainWindow>
@@ -25,11 +25,10 @@ namespace nexrad::viewer
 
 class BoxMouse;
 class FileActions;
-class InputWatch;
 class LookPanel;
 class Playback;
 class SceneView;
-class SectionDock;
+class SectionPanel;
 class TransferFunctionEditor;
 class WelcomePage;
 
@@ -82,6 +81,7 @@ private:
   void MakeDocks();
   void MakeTransferFunction(QDockWidget* lookDock);
   void MakeCutting();
+  void MakeSeenVoxels();
   void MakeStatus();
   void MakeWelcome();
   void AskForFiles();
@@ -101,16 +101,15 @@ private:
   void FollowRecent();
   void FollowPlayback();
   void FollowEmptiness();
-  QString OpeningText() const;
   void ShowVolume(vtkImageData* volume);
 
   ViewRequest request;
   application::Session opened; ///< its inputs, and what is done when their first volume is shown
   Playback* playback = nullptr;
-  InputWatch* watch = nullptr;
   SceneView* view = nullptr;
   LookPanel* look = nullptr;
-  SectionDock* section = nullptr;
+  SectionPanel* section = nullptr;
+  QAction* drawSection = nullptr;
   BoxMouse* box = nullptr;
   TransferFunctionEditor* colours = nullptr;
   FileActions* files = nullptr;

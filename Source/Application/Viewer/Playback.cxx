@@ -3,6 +3,8 @@
 
 #include <vtkImageData.h>
 
+#include <QDir>
+#include <QFileInfo>
 #include <QMetaObject>
 
 #include <algorithm>
@@ -12,12 +14,6 @@
 
 namespace nexrad::viewer
 {
-namespace
-{
-
-constexpr std::size_t rateOver = 10; // steps
-
-} // namespace
 
 Playback::Playback(QObject* parent)
   : QObject(parent)
@@ -26,6 +22,18 @@ Playback::Playback(QObject* parent)
   clock.setTimerType(Qt::PreciseTimer);
   time.start();
   connect(&clock, &QTimer::timeout, this, &Playback::Tick);
+  constexpr int quietTime = 1000; // ms
+  quiet.setSingleShot(true);
+  quiet.setInterval(quietTime);
+  const auto wait = [this] { quiet.start(); };
+  connect(&watcher, &QFileSystemWatcher::fileChanged, this, wait);
+  connect(&watcher, &QFileSystemWatcher::directoryChanged, this, wait);
+  connect(&quiet, &QTimer::timeout, this,
+    [this]
+    {
+      this->RenewWatch();
+      this->Refresh();
+    });
 }
 
 Playback::~Playback() = default; // a future of std::async waits for its thread
@@ -215,6 +223,7 @@ void Playback::Show()
     }
     if (playing)
     {
+      constexpr std::size_t rateOver = 10; // steps
       shownAt.push_back(time.elapsed());
       if (shownAt.size() > rateOver)
       {
@@ -311,6 +320,46 @@ void Playback::Refresh()
   if (series)
   {
     series->Reopen();
+  }
+}
+
+void Playback::Watch(const QStringList& paths)
+{
+  inputs = paths;
+  quiet.stop();
+  this->RenewWatch();
+}
+
+// A folder tells of files that come and go, but not of a file that grows, so the newest files are
+// watched themselves. A file that was replaced has to be watched anew.
+void Playback::RenewWatch()
+{
+  constexpr int newest = 16;
+  QStringList paths;
+  for (const QString& input : inputs)
+  {
+    const QFileInfo info(input);
+    if (info.exists())
+    {
+      paths << info.absoluteFilePath();
+    }
+    if (info.isDir())
+    {
+      const QFileInfoList files = QDir(input).entryInfoList(QDir::Files, QDir::Time);
+      for (const QFileInfo& file : files.mid(0, newest))
+      {
+        paths << file.absoluteFilePath();
+      }
+    }
+  }
+  const QStringList old = watcher.files() + watcher.directories();
+  if (!old.isEmpty())
+  {
+    watcher.removePaths(old);
+  }
+  if (!paths.isEmpty())
+  {
+    watcher.addPaths(paths);
   }
 }
 

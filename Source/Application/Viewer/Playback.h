@@ -4,7 +4,9 @@
 #include "Filters/Series/BackgroundSeries.h"
 
 #include <QElapsedTimer>
+#include <QFileSystemWatcher>
 #include <QObject>
+#include <QStringList>
 #include <QTimer>
 
 #include <cstddef>
@@ -32,6 +34,11 @@ public:
   /// options is set here. The first step is shown when it is loaded.
   /// `first`: the time that is shown first; empty: the first step.
   void Open(BackgroundSeriesOptions options, std::optional<Time> first = std::nullopt);
+
+  /// Watches these files and folders in place of those before, for files that are added to them or
+  /// grow: then the inputs are opened once more (Refresh), after a second without a change, because
+  /// a file that is being written changes often.
+  void Watch(const QStringList& paths);
 
   bool HasSeries() const { return series != nullptr; }
   /// Of the series: what is new comes with Changed.
@@ -93,6 +100,7 @@ private:
   void Tick();
   void Dismiss();
   void FindFirst();
+  void RenewWatch();
 
   std::unique_ptr<BackgroundSeries> series;
   std::vector<std::future<void>> ending; ///< of series that are not shown any more
@@ -110,6 +118,9 @@ private:
   QTimer clock;
   QElapsedTimer time;
   std::deque<qint64> shownAt; ///< ms, of the latest steps in playing
+  QStringList inputs;         ///< that are watched
+  QFileSystemWatcher watcher;
+  QTimer quiet; ///< since the last change of the inputs
 };
 
 } // namespace nexrad::viewer

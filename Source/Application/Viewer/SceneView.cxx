@@ -11,6 +11,7 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkImageData.h>
 #include <vtkInteractorStyle.h>
+#include <vtkNexradEchoPicker.h>
 #include <vtkNexradNavigator.h>
 #include <vtkNexradTransferFunction.h>
 #include <vtkNexradVolumeScene.h>
@@ -20,6 +21,7 @@
 #include <vtkRenderer.h>
 #include <vtkWidgetRepresentation.h>
 
+#include <QLabel>
 #include <QMouseEvent>
 #include <QWheelEvent>
 
@@ -27,44 +29,17 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <utility>
 #include <vector>
 
 namespace nexrad::viewer
 {
-
-/// What dragging with the mouse asks of the view: with the left button it turns and tilts, with the
-/// right button it zooms. VTK's own keys are off.
-class TurnAndZoom : public vtkInteractorStyle
-{
-public:
-  static TurnAndZoom* New();
-  vtkTypeMacro(TurnAndZoom, vtkInteractorStyle);
-
-  std::function<void(double degrees, double tilt)> turn; ///< by degrees to the right and upwards
-  std::function<void(double factor)> zoom;               ///< above 0
-
-  void OnLeftButtonDown() override { this->StartRotate(); }
-  void OnLeftButtonUp() override { this->EndRotate(); }
-  void OnRightButtonDown() override { this->StartDolly(); }
-  void OnRightButtonUp() override { this->EndDolly(); }
-  void OnMouseMove() override;
-  void OnChar() override {}
-
-protected:
-  TurnAndZoom() = default;
-  ~TurnAndZoom() override = default;
-
-private:
-  TurnAndZoom(const TurnAndZoom&) = delete;
-  void operator=(const TurnAndZoom&) = delete;
-};
-
 namespace
 {
 
 constexpr double turnOfWidth = 180.0; // degrees, of a drag across the window
 constexpr double zoomOfHeight = 4.0;  // factor, of a drag over its height
+constexpr double zoomOfNotch = 1.1;   // factor, of one notch of the wheel
+constexpr double notch = 120.0;       // eighths of a degree
 
 // From the place before to that now, as parts of the window.
 std::array<double, 2> Dragged(vtkRenderWindowInteractor* interactor)
@@ -74,118 +49,6 @@ std::array<double, 2> Dragged(vtkRenderWindowInteractor* interactor)
   const int* size = interactor->GetSize();
   return {static_cast<double>(now[0] - before[0]) / std::max(size[0], 1),
     static_cast<double>(now[1] - before[1]) / std::max(size[1], 1)};
-}
-
-} // namespace
-
-vtkStandardNewMacro(TurnAndZoom);
-
-void TurnAndZoom::OnMouseMove()
-{
-  const std::array<double, 2> way = Dragged(this->Interactor);
-  if (this->State == VTKIS_ROTATE)
-  {
-    this->turn(way[0] * turnOfWidth, -way[1] * turnOfWidth);
-  }
-  else if (this->State == VTKIS_DOLLY)
-  {
-    this->zoom(std::pow(zoomOfHeight, way[1]));
-  }
-}
-
-namespace
-{
-
-constexpr double zoomOfNotch = 1.1; // factor, of one notch of the wheel
-constexpr double notch = 120.0;     // eighths of a degree
-
-// Brings the camera near with the mouse.
-class CameraMouse : public QObject
-{
-public:
-  // What is given must outlive it; `show` draws the scene after a move.
-  CameraMouse(SceneView& view, vtkNexradNavigator* navigator, std::function<void()> show);
-
-protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
-
-private:
-  bool Press(const QMouseEvent& event);
-  void Zoom(const QWheelEvent& event);
-
-  SceneView& view;
-  vtkNexradNavigator* navigator;
-  std::function<void()> show;
-  Qt::MouseButton panning = Qt::NoButton; // the button that is held for it
-};
-
-CameraMouse::CameraMouse(
-  SceneView& sceneView, vtkNexradNavigator* sceneNavigator, std::function<void()> showMove)
-  : QObject(&sceneView)
-  , view(sceneView)
-  , navigator(sceneNavigator)
-  , show(std::move(showMove))
-{
-  view.installEventFilter(this);
-}
-
-bool CameraMouse::eventFilter(QObject* watched, QEvent* event)
-{
-  switch (event->type())
-  {
-  case QEvent::MouseButtonPress:
-    return this->Press(*static_cast<QMouseEvent*>(event));
-  case QEvent::MouseMove:
-    if (panning != Qt::NoButton)
-    {
-      const auto [x, y] = ScenePixel(view, static_cast<QMouseEvent*>(event)->localPos());
-      navigator->Pan(x, y);
-      show();
-      return true;
-    }
-    return false;
-  case QEvent::MouseButtonRelease:
-    if (panning != Qt::NoButton && static_cast<QMouseEvent*>(event)->button() == panning)
-    {
-      panning = Qt::NoButton;
-      return true;
-    }
-    return false;
-  case QEvent::MouseButtonDblClick:
-    if (static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton)
-    {
-      const auto [x, y] = ScenePixel(view, static_cast<QMouseEvent*>(event)->localPos());
-      navigator->CentreOn(x, y);
-      show();
-      return true;
-    }
-    return false;
-  case QEvent::Wheel:
-    this->Zoom(*static_cast<QWheelEvent*>(event));
-    return true;
-  default:
-    return QObject::eventFilter(watched, event);
-  }
-}
-
-bool CameraMouse::Press(const QMouseEvent& event)
-{
-  const bool left = event.button() == Qt::LeftButton && event.modifiers() == Qt::ShiftModifier;
-  if (panning != Qt::NoButton || (!left && event.button() != Qt::MiddleButton))
-  {
-    return false;
-  }
-  panning = event.button();
-  const auto [x, y] = ScenePixel(view, event.localPos());
-  navigator->Grab(x, y);
-  return true;
-}
-
-void CameraMouse::Zoom(const QWheelEvent& event)
-{
-  const auto [x, y] = ScenePixel(view, event.position());
-  navigator->ZoomAt(x, y, std::pow(zoomOfNotch, event.angleDelta().y() / notch));
-  show();
 }
 
 // Whether a preset is for the moment of a volume, or that has none of its own.
@@ -239,6 +102,48 @@ private:
 
 } // namespace
 
+/// What dragging with the mouse asks of the view: with the left button it turns and tilts, with the
+/// right button it zooms. VTK's own keys are off.
+class TurnAndZoom : public vtkInteractorStyle
+{
+public:
+  static TurnAndZoom* New();
+  vtkTypeMacro(TurnAndZoom, vtkInteractorStyle);
+
+  std::function<void(double degrees, double tilt)> turn; ///< by degrees to the right and upwards
+  std::function<void(double factor)> zoom;               ///< above 0
+
+  void OnLeftButtonDown() override { this->StartRotate(); }
+  void OnLeftButtonUp() override { this->EndRotate(); }
+  void OnRightButtonDown() override { this->StartDolly(); }
+  void OnRightButtonUp() override { this->EndDolly(); }
+
+  void OnMouseMove() override
+  {
+    const std::array<double, 2> way = Dragged(this->Interactor);
+    if (this->State == VTKIS_ROTATE)
+    {
+      this->turn(way[0] * turnOfWidth, -way[1] * turnOfWidth);
+    }
+    else if (this->State == VTKIS_DOLLY)
+    {
+      this->zoom(std::pow(zoomOfHeight, way[1]));
+    }
+  }
+
+  void OnChar() override {}
+
+protected:
+  TurnAndZoom() = default;
+  ~TurnAndZoom() override = default;
+
+private:
+  TurnAndZoom(const TurnAndZoom&) = delete;
+  void operator=(const TurnAndZoom&) = delete;
+};
+
+vtkStandardNewMacro(TurnAndZoom);
+
 std::array<double, 2> ScenePixel(const SceneView& view, const QPointF& place)
 {
   const double ratio = view.devicePixelRatioF();
@@ -268,7 +173,6 @@ SceneView::SceneView(QWidget* parent)
   };
   window->GetInteractor()->SetInteractorStyle(style);
   navigator->SetScene(scene);
-  new CameraMouse(*this, navigator, [this] { this->ShowMove(); });
 }
 
 SceneView::~SceneView()
@@ -356,10 +260,138 @@ void SceneView::WritePicture(const std::filesystem::path& path)
   this->DrawSoon(); // the screen has them
 }
 
+bool SceneView::event(QEvent* event)
+{
+  switch (event->type())
+  {
+  case QEvent::MouseButtonPress:
+    if (this->Grab(*static_cast<QMouseEvent*>(event)))
+    {
+      return true;
+    }
+    break;
+  case QEvent::MouseMove:
+    if (panning != Qt::NoButton)
+    {
+      const auto [x, y] = ScenePixel(*this, static_cast<QMouseEvent*>(event)->localPos());
+      navigator->Pan(x, y);
+      this->ShowMove();
+      return true;
+    }
+    break;
+  case QEvent::MouseButtonRelease:
+    if (panning != Qt::NoButton && static_cast<QMouseEvent*>(event)->button() == panning)
+    {
+      panning = Qt::NoButton;
+      return true;
+    }
+    break;
+  case QEvent::MouseButtonDblClick:
+    if (static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton)
+    {
+      const auto [x, y] = ScenePixel(*this, static_cast<QMouseEvent*>(event)->localPos());
+      navigator->CentreOn(x, y);
+      this->ShowMove();
+      return true;
+    }
+    break;
+  case QEvent::Wheel:
+    this->ZoomByWheel(*static_cast<QWheelEvent*>(event));
+    return true;
+  default:
+    break;
+  }
+  return QVTKOpenGLNativeWidget::event(event);
+}
+
+bool SceneView::Grab(const QMouseEvent& event)
+{
+  const bool left = event.button() == Qt::LeftButton && event.modifiers() == Qt::ShiftModifier;
+  if (panning != Qt::NoButton || (!left && event.button() != Qt::MiddleButton))
+  {
+    return false;
+  }
+  panning = event.button();
+  const auto [x, y] = ScenePixel(*this, event.localPos());
+  navigator->Grab(x, y);
+  return true;
+}
+
+void SceneView::ZoomByWheel(const QWheelEvent& event)
+{
+  const auto [x, y] = ScenePixel(*this, event.position());
+  navigator->ZoomAt(x, y, std::pow(zoomOfNotch, event.angleDelta().y() / notch));
+  this->ShowMove();
+}
+
 void SceneView::ShowMove()
 {
   emit CameraMoved();
   this->DrawSoon();
+}
+
+namespace
+{
+
+class PointerReadout : public QLabel
+{
+public:
+  explicit PointerReadout(SceneView& sceneView)
+    : view(sceneView)
+  {
+    this->setObjectName("readout");
+    this->setAccessibleName("What is under the pointer");
+    this->setToolTip("Under the pointer: value in the unit of the moment, latitude and longitude "
+                     "in degrees, height above sea level in km; the nearest radar, the distance "
+                     "from it in km and the direction in degrees clockwise from north");
+    this->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    picker->SetScene(view.Scene());
+    view.setMouseTracking(true);
+    view.installEventFilter(this);
+    connect(&view, &SceneView::VolumeShown, this, &PointerReadout::Refresh);
+    connect(&view, &SceneView::CameraMoved, this, &PointerReadout::Refresh);
+  }
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override
+  {
+    if (event->type() == QEvent::MouseMove)
+    {
+      place = static_cast<QMouseEvent*>(event)->localPos();
+      inside = true;
+      this->Refresh();
+    }
+    else if (event->type() == QEvent::Leave)
+    {
+      inside = false;
+      this->clear();
+    }
+    return QLabel::eventFilter(watched, event);
+  }
+
+private:
+  // Looks again at where the pointer is, as after a new volume.
+  void Refresh()
+  {
+    if (inside)
+    {
+      const auto [x, y] = ScenePixel(view, place);
+      picker->Pick(x, y, 0.0, view.Scene()->GetRenderer());
+      this->setText(QString::fromStdString(picker->GetText()));
+    }
+  }
+
+  SceneView& view;
+  vtkNew<vtkNexradEchoPicker> picker;
+  QPointF place; // of the pointer in the view
+  bool inside = false;
+};
+
+} // namespace
+
+QLabel* MakePointerReadout(SceneView& view)
+{
+  return new PointerReadout(view);
 }
 
 } // namespace nexrad::viewer

@@ -12,7 +12,10 @@
 #include <filesystem>
 #include <string>
 
+class QLabel;
+class QMouseEvent;
 class QPointF;
+class QWheelEvent;
 class vtkGenericOpenGLRenderWindow;
 class vtkImageData;
 class vtkNexradNavigator;
@@ -75,7 +78,13 @@ signals:
   /// The volume, or a part of the scene, could not be drawn.
   void DrawingFailed(const QString& why);
 
+protected:
+  /// Brings the camera near with the mouse.
+  bool event(QEvent* event) override;
+
 private:
+  bool Grab(const QMouseEvent& event);
+  void ZoomByWheel(const QWheelEvent& event);
   void Draw();
   void ShowMove();
 
@@ -85,11 +94,16 @@ private:
   vtkSmartPointer<TurnAndZoom> style;
   Soon* drawing;
   scene::CameraView first;
+  Qt::MouseButton panning = Qt::NoButton; ///< the button that is held for it
   int drawn = 0;
   std::string failure; ///< of drawing the volume that is shown; VTK reports it once
 };
 
 /// A place of the view as VTK counts: pixels of the screen from the lower left corner.
 std::array<double, 2> ScenePixel(const SceneView& view, const QPointF& place);
+
+/// Says what is under the pointer: value, place, height above sea level, and the radar. `view` must
+/// outlive it.
+QLabel* MakePointerReadout(SceneView& view);
 
 } // namespace nexrad::viewer

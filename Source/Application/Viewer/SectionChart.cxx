@@ -35,37 +35,28 @@ namespace nexrad::viewer
 namespace
 {
 
-// What a rectangle of the section shows: a bin of the colour scale, or one of these after the last.
-enum class WithoutBin
-{
-  NoEcho,
-  NotScanned,
-  RangeFolded,
-  Filtered,
-  Count
-};
-
 vtkColor4ub Bytes(const scene::Colour& colour)
 {
   return {scene::ToByte(colour[0]), scene::ToByte(colour[1]), scene::ToByte(colour[2]), 255};
 }
 
+// The colours of the bins of the scale, then those of the states of places without a value.
 vtkSmartPointer<vtkLookupTable> TableOf(
   const scene::ColourScale& colours, const scene::Theme& theme)
 {
   const auto bins = static_cast<vtkIdType>(colours.bins.size());
   auto table = vtkSmartPointer<vtkLookupTable>::New();
-  table->SetNumberOfTableValues(bins + static_cast<vtkIdType>(WithoutBin::Count));
+  table->SetNumberOfTableValues(bins + static_cast<vtkIdType>(VoxelStateCount));
   const auto set = [&](vtkIdType place, const scene::Colour& colour)
   { table->SetTableValue(place, colour[0], colour[1], colour[2]); };
   for (vtkIdType bin = 0; bin < bins; ++bin)
   {
     set(bin, colours.bins[static_cast<std::size_t>(bin)].colour);
   }
-  set(bins + static_cast<vtkIdType>(WithoutBin::NoEcho), theme.ground);
-  set(bins + static_cast<vtkIdType>(WithoutBin::NotScanned), theme.notScanned);
-  set(bins + static_cast<vtkIdType>(WithoutBin::RangeFolded), theme.rangeFolded);
-  set(bins + static_cast<vtkIdType>(WithoutBin::Filtered), theme.filtered);
+  set(bins + static_cast<vtkIdType>(VoxelState::NoEcho), theme.ground);
+  set(bins + static_cast<vtkIdType>(VoxelState::NotScanned), theme.notScanned);
+  set(bins + static_cast<vtkIdType>(VoxelState::RangeFolded), theme.rangeFolded);
+  set(bins + static_cast<vtkIdType>(VoxelState::Filtered), theme.filtered);
   table->SetTableRange(-0.5, static_cast<double>(table->GetNumberOfTableValues()) - 0.5);
   return table;
 }
@@ -83,17 +74,10 @@ std::uint8_t StateAt(vtkDataArray* states, vtkIdType point)
 
 int PlaceInTable(double value, VoxelState state, const scene::ColourScale& colours)
 {
-  const int bins = static_cast<int>(colours.bins.size());
-  const auto without = [bins](WithoutBin what) { return bins + static_cast<int>(what); };
-  if (state == VoxelState::Echo)
-  {
-    const int bin = scene::FindBin(colours, value);
-    return bin < 0 ? without(WithoutBin::NoEcho) : bin;
-  }
-  return state == VoxelState::NotScanned    ? without(WithoutBin::NotScanned)
-         : state == VoxelState::RangeFolded ? without(WithoutBin::RangeFolded)
-         : state == VoxelState::Filtered    ? without(WithoutBin::Filtered)
-                                            : without(WithoutBin::NoEcho);
+  const bool isEcho = state == VoxelState::Echo;
+  const int bin = isEcho ? scene::FindBin(colours, value) : -1;
+  const VoxelState without = isEcho ? VoxelState::NoEcho : state;
+  return bin >= 0 ? bin : static_cast<int>(colours.bins.size()) + static_cast<int>(without);
 }
 
 // The section as places in the table of colours, over km. A pixel of a chart's image begins at its
@@ -219,13 +203,14 @@ void SectionChart::DrawColourBar()
     static_cast<int>(std::lround(this->height() * ratio))};
   const scene::TextStyle style = {
     static_cast<int>(std::lround(12.0 * ratio)), shown->theme->scale, shown->theme->rim};
-  colourBar = scene::MakeColourBar(shown->colours, size, style, shown->theme->frame, *pictures);
+  const scene::ColourBar bar =
+    scene::MakeColourBar(shown->colours, size, style, shown->theme->frame, *pictures);
+  colourBar = bar.props;
   for (const auto& prop : colourBar)
   {
     renderer->AddViewProp(prop);
   }
-  const double left = scene::LeftOfColourBar(shown->colours, size, style, *pictures);
-  chart->SetSize(vtkRectf(0.0F, 0.0F, static_cast<float>(left), static_cast<float>(size[1])));
+  chart->SetSize(vtkRectf(0.0F, 0.0F, static_cast<float>(bar.left), static_cast<float>(size[1])));
 }
 
 void SectionChart::DrawAxes()
@@ -277,23 +262,6 @@ std::optional<std::array<double, 2>> SectionChart::PlaceAt(const QPoint& pixel) 
     place[i] = 1000.0 * (bounds[2 * i] + share * (bounds[2 * i + 1] - bounds[2 * i]));
   }
   return place;
-}
-
-QPoint SectionChart::PixelOf(double distance, double height) const
-{
-  double bounds[4];
-  plot->GetBounds(bounds);
-  const std::array<double, 2> place = {distance / 1000.0, height / 1000.0};
-  std::array<double, 2> at{};
-  for (std::size_t i = 0; i < 2; ++i)
-  {
-    const auto corner = static_cast<int>(i);
-    const double share = (place[i] - bounds[2 * i]) / (bounds[2 * i + 1] - bounds[2 * i]);
-    const double first = chart->GetPoint1()[corner];
-    at[i] = (first + share * (chart->GetPoint2()[corner] - first)) / this->devicePixelRatioF();
-  }
-  return {
-    static_cast<int>(std::floor(at[0])), static_cast<int>(std::floor(this->height() - at[1]))};
 }
 
 void SectionChart::mouseMoveEvent(QMouseEvent* event)

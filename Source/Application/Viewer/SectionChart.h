@@ -45,8 +45,6 @@ public:
   /// Distance from A and height in m that a pixel of the widget shows; nothing outside of the
   /// section.
   std::optional<std::array<double, 2>> PlaceAt(const QPoint& pixel) const;
-  /// The pixel of the widget that shows a distance and a height in m.
-  QPoint PixelOf(double distance, double height) const;
 
   QSize sizeHint() const override { return {600, 230}; }
 

@@ -21,7 +21,6 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkWeakPointer.h>
 
-#include <QAction>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QHideEvent>
@@ -39,39 +38,6 @@
 
 namespace nexrad::viewer
 {
-
-/// Lets the mouse draw the line of a section on the ground of a scene, and move its ends. While it
-/// does, the camera stands still.
-class SectionTool
-{
-public:
-  /// `view` must outlive it. `moved`: the line of the scene was drawn or moved; `drawn`: a new line
-  /// was drawn, and drawing is off again.
-  SectionTool(SceneView& view, std::function<void()> moved, std::function<void()> drawn);
-  ~SectionTool();
-  SectionTool(const SectionTool&) = delete;
-  SectionTool& operator=(const SectionTool&) = delete;
-
-  /// Whether the next drag with the left button draws a new line.
-  void SetDrawing(bool on);
-  bool IsDrawing() const { return drawing; }
-
-private:
-  bool Press(vtkObject*, unsigned long, void*);
-  bool Move(vtkObject*, unsigned long, void*);
-  bool Release(vtkObject*, unsigned long, void*);
-  int EndAt(const std::array<double, 2>& pixel) const;
-  void Drag();
-
-  SceneView& view;
-  std::function<void()> moved;
-  std::function<void()> drawn;
-  vtkWeakPointer<vtkRenderWindowInteractor> mouse; ///< goes before this object does
-  std::vector<unsigned long> tags;
-  bool drawing = false;
-  int dragged = -1; ///< the end that follows the mouse: 0 A, 1 B; −1 none
-};
-
 namespace
 {
 
@@ -112,116 +78,6 @@ void SetEnd(vtkNexradVolumeScene* scene, int end, std::array<double, 2> place)
   }
 }
 
-} // namespace
-
-SectionTool::SectionTool(
-  SceneView& sceneView, std::function<void()> whenMoved, std::function<void()> whenDrawn)
-  : view(sceneView)
-  , moved(std::move(whenMoved))
-  , drawn(std::move(whenDrawn))
-  , mouse(sceneView.interactor())
-{
-  constexpr float beforeTheStyle = 0.6F;
-  tags = {
-    mouse->AddObserver(vtkCommand::LeftButtonPressEvent, this, &SectionTool::Press, beforeTheStyle),
-    mouse->AddObserver(vtkCommand::MouseMoveEvent, this, &SectionTool::Move, beforeTheStyle),
-    mouse->AddObserver(
-      vtkCommand::LeftButtonReleaseEvent, this, &SectionTool::Release, beforeTheStyle)};
-}
-
-SectionTool::~SectionTool()
-{
-  for (const unsigned long tag : tags)
-  {
-    if (mouse)
-    {
-      mouse->RemoveObserver(tag);
-    }
-  }
-}
-
-void SectionTool::SetDrawing(bool on)
-{
-  drawing = on;
-  view.setCursor(on ? Qt::CrossCursor : Qt::ArrowCursor);
-}
-
-// The end of the line that is near a pixel; −1: none.
-int SectionTool::EndAt(const std::array<double, 2>& pixel) const
-{
-  vtkNexradVolumeScene* scene = view.Scene();
-  int nearest = -1;
-  double least = reach * view.devicePixelRatioF();
-  for (int end = 0; scene->GetSection() && end < 2; ++end)
-  {
-    const double* place = end == 0 ? scene->GetSectionA() : scene->GetSectionB();
-    double at[2];
-    if (!scene->FindPixel(place[0], place[1], at))
-    {
-      continue;
-    }
-    const double distance = std::hypot(at[0] - pixel[0], at[1] - pixel[1]);
-    nearest = distance < least ? end : nearest;
-    least = std::min(least, distance);
-  }
-  return nearest;
-}
-
-bool SectionTool::Press(vtkObject*, unsigned long, void*)
-{
-  dragged = this->EndAt(MouseOf(view));
-  std::array<double, 2> place{};
-  if (drawing && FindPlace(view, place))
-  {
-    vtkNexradVolumeScene* scene = view.Scene();
-    scene->SectionOn();
-    SetEnd(scene, 0, place);
-    SetEnd(scene, 1, place);
-    dragged = 1;
-  }
-  return dragged >= 0; // then the camera does not hear of it
-}
-
-bool SectionTool::Move(vtkObject*, unsigned long, void*)
-{
-  if (dragged < 0)
-  {
-    return false;
-  }
-  this->Drag();
-  return true;
-}
-
-bool SectionTool::Release(vtkObject*, unsigned long, void*)
-{
-  if (dragged < 0)
-  {
-    return false;
-  }
-  this->Drag();
-  dragged = -1;
-  if (drawing)
-  {
-    this->SetDrawing(false);
-    drawn();
-  }
-  return true;
-}
-
-void SectionTool::Drag()
-{
-  std::array<double, 2> place{};
-  if (FindPlace(view, place))
-  {
-    SetEnd(view.Scene(), dragged, place);
-    view.DrawSoon();
-    moved();
-  }
-}
-
-namespace
-{
-
 QString StateText(int state)
 {
   switch (static_cast<VoxelState>(state))
@@ -238,6 +94,134 @@ QString StateText(int state)
 }
 
 } // namespace
+
+/// Lets the mouse draw the line of a section on the ground of a scene, and move its ends. While it
+/// does, the camera stands still.
+class SectionTool
+{
+public:
+  /// `view` must outlive it. `moved`: the line of the scene was drawn or moved; `drawn`: a new line
+  /// was drawn, and drawing is off again.
+  SectionTool(
+    SceneView& sceneView, std::function<void()> whenMoved, std::function<void()> whenDrawn)
+    : view(sceneView)
+    , moved(std::move(whenMoved))
+    , drawn(std::move(whenDrawn))
+    , mouse(sceneView.interactor())
+  {
+    constexpr float beforeTheStyle = 0.6F;
+    tags = {mouse->AddObserver(
+              vtkCommand::LeftButtonPressEvent, this, &SectionTool::Press, beforeTheStyle),
+      mouse->AddObserver(vtkCommand::MouseMoveEvent, this, &SectionTool::Move, beforeTheStyle),
+      mouse->AddObserver(
+        vtkCommand::LeftButtonReleaseEvent, this, &SectionTool::Release, beforeTheStyle)};
+  }
+
+  ~SectionTool()
+  {
+    for (const unsigned long tag : tags)
+    {
+      if (mouse)
+      {
+        mouse->RemoveObserver(tag);
+      }
+    }
+  }
+
+  SectionTool(const SectionTool&) = delete;
+  SectionTool& operator=(const SectionTool&) = delete;
+
+  /// Whether the next drag with the left button draws a new line.
+  void SetDrawing(bool on)
+  {
+    drawing = on;
+    view.setCursor(on ? Qt::CrossCursor : Qt::ArrowCursor);
+  }
+
+  bool IsDrawing() const { return drawing; }
+
+private:
+  bool Press(vtkObject*, unsigned long, void*)
+  {
+    dragged = this->EndAt(MouseOf(view));
+    std::array<double, 2> place{};
+    if (drawing && FindPlace(view, place))
+    {
+      vtkNexradVolumeScene* scene = view.Scene();
+      scene->SectionOn();
+      SetEnd(scene, 0, place);
+      SetEnd(scene, 1, place);
+      dragged = 1;
+    }
+    return dragged >= 0; // then the camera does not hear of it
+  }
+
+  bool Move(vtkObject*, unsigned long, void*)
+  {
+    if (dragged < 0)
+    {
+      return false;
+    }
+    this->Drag();
+    return true;
+  }
+
+  bool Release(vtkObject*, unsigned long, void*)
+  {
+    if (dragged < 0)
+    {
+      return false;
+    }
+    this->Drag();
+    dragged = -1;
+    if (drawing)
+    {
+      this->SetDrawing(false);
+      drawn();
+    }
+    return true;
+  }
+
+  // The end of the line that is near a pixel; −1: none.
+  int EndAt(const std::array<double, 2>& pixel) const
+  {
+    vtkNexradVolumeScene* scene = view.Scene();
+    int nearest = -1;
+    double least = reach * view.devicePixelRatioF();
+    for (int end = 0; scene->GetSection() && end < 2; ++end)
+    {
+      const double* place = end == 0 ? scene->GetSectionA() : scene->GetSectionB();
+      double at[2];
+      if (!scene->FindPixel(place[0], place[1], at))
+      {
+        continue;
+      }
+      const double distance = std::hypot(at[0] - pixel[0], at[1] - pixel[1]);
+      nearest = distance < least ? end : nearest;
+      least = std::min(least, distance);
+    }
+    return nearest;
+  }
+
+  void Drag()
+  {
+    std::array<double, 2> place{};
+    if (FindPlace(view, place))
+    {
+      SetEnd(view.Scene(), dragged, place);
+      view.DrawSoon();
+      moved();
+    }
+  }
+
+  SceneView& view;
+  std::function<void()> moved;
+  std::function<void()> drawn;
+  vtkWeakPointer<vtkRenderWindowInteractor> mouse; ///< goes before this object does
+  std::vector<unsigned long> tags;
+  bool drawing = false;
+  int dragged = -1; ///< the end that follows the mouse: 0 A, 1 B; −1 none
+};
 
 SectionPanel::SectionPanel(SceneView& sceneView, QWidget* parent)
   : QWidget(parent)
@@ -441,25 +425,6 @@ void SectionPanel::Tell(const QPoint& pixel)
                      .arg((*place)[0] / 1000.0, 0, 'f', 1)
                      .arg((*place)[1] / 1000.0, 0, 'f', 2)
                      .arg(text));
-}
-
-SectionDock::SectionDock(SceneView& view, QWidget* parent)
-  : QDockWidget("Section", parent)
-  , panel(new SectionPanel(view, this))
-  , draw(new QAction("Draw a &section", this))
-{
-  this->setObjectName("section dock");
-  this->setFeatures(QDockWidget::DockWidgetClosable); // a chart of OpenGL stays in its window
-  this->setWidget(panel);
-  this->hide();
-  draw->setShortcut(QKeySequence("X"));
-  draw->setToolTip("Drag on the ground from A to B: the vertical section along that line");
-  connect(draw, &QAction::triggered, this,
-    [this]
-    {
-      this->show();
-      panel->DrawLine(true);
-    });
 }
 
 } // namespace nexrad::viewer

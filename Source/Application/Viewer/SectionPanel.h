@@ -3,12 +3,11 @@
 
 #include <vtkNew.h>
 
-#include <QDockWidget>
+#include <QWidget>
 
 #include <array>
 #include <memory>
 
-class QAction;
 class QBoxLayout;
 class QDoubleSpinBox;
 class QLabel;
@@ -72,25 +71,6 @@ private:
   std::array<QDoubleSpinBox*, 4> ends{}; ///< A east, A north, B east, B north
   QLabel* reading = nullptr;
   vtkNew<vtkNexradVerticalSection> filter;
-};
-
-/// The panel of the vertical section as a part of the window that can be shown and hidden. The line
-/// stays on the ground when the panel is hidden.
-class SectionDock : public QDockWidget
-{
-  Q_OBJECT
-
-public:
-  /// `view` must outlive it.
-  explicit SectionDock(SceneView& view, QWidget* parent = nullptr);
-
-  SectionPanel* Panel() const { return panel; }
-  /// Shows the panel and lets the next drag draw the line.
-  QAction* DrawAction() const { return draw; }
-
-private:
-  SectionPanel* panel;
-  QAction* draw;
 };
 
 } // namespace nexrad::viewer

@@ -24,50 +24,46 @@ namespace nexrad::viewer
 class LoadedSteps : public QWidget
 {
 public:
-  explicit LoadedSteps(QWidget* parent = nullptr);
+  explicit LoadedSteps(QWidget* parent)
+    : QWidget(parent)
+  {
+    this->setFixedHeight(4);
+    this->setAccessibleName("Times that are loaded");
+  }
 
-  void Set(const std::vector<bool>& steps);
+  void Set(const std::vector<bool>& steps)
+  {
+    if (steps != loaded)
+    {
+      loaded = steps;
+      const auto count = std::count(loaded.begin(), loaded.end(), true);
+      this->setToolTip(QString("%1 of %2 times are loaded").arg(count).arg(loaded.size()));
+      this->update();
+    }
+  }
+
   QSize sizeHint() const override { return {100, 4}; }
 
 protected:
-  void paintEvent(QPaintEvent* event) override;
+  void paintEvent(QPaintEvent*) override
+  {
+    QPainter painter(this);
+    painter.fillRect(this->rect(), this->palette().color(QPalette::Mid));
+    const double width =
+      static_cast<double>(this->width()) / std::max<std::size_t>(1, loaded.size());
+    for (std::size_t i = 0; i < loaded.size(); ++i)
+    {
+      if (loaded[i])
+      {
+        painter.fillRect(QRectF(static_cast<double>(i) * width, 0.0, width, this->height()),
+          this->palette().color(QPalette::Highlight));
+      }
+    }
+  }
 
 private:
   std::vector<bool> loaded;
 };
-
-LoadedSteps::LoadedSteps(QWidget* parent)
-  : QWidget(parent)
-{
-  this->setFixedHeight(4);
-  this->setAccessibleName("Times that are loaded");
-}
-
-void LoadedSteps::Set(const std::vector<bool>& steps)
-{
-  if (steps != loaded)
-  {
-    loaded = steps;
-    const auto count = std::count(loaded.begin(), loaded.end(), true);
-    this->setToolTip(QString("%1 of %2 times are loaded").arg(count).arg(loaded.size()));
-    this->update();
-  }
-}
-
-void LoadedSteps::paintEvent(QPaintEvent*)
-{
-  QPainter painter(this);
-  painter.fillRect(this->rect(), this->palette().color(QPalette::Mid));
-  const double width = static_cast<double>(this->width()) / std::max<std::size_t>(1, loaded.size());
-  for (std::size_t i = 0; i < loaded.size(); ++i)
-  {
-    if (loaded[i])
-    {
-      painter.fillRect(QRectF(static_cast<double>(i) * width, 0.0, width, this->height()),
-        this->palette().color(QPalette::Highlight));
-    }
-  }
-}
 
 namespace
 {

@@ -12,7 +12,6 @@
 
 class vtkChartXY;
 class vtkContextActor;
-class vtkDoubleArray;
 class vtkGenericOpenGLRenderWindow;
 class vtkLookupTable;
 class vtkNexradTransferFunction;

@@ -34,6 +34,7 @@
 #include <QShortcut>
 #include <QSignalBlocker>
 #include <QToolButton>
+#include <QUndoCommand>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -62,33 +63,47 @@ bool TransferFunctionState::operator==(const TransferFunctionState& other) const
          (function ? function->IsEqual(other.function) : other.function == nullptr);
 }
 
-TransferFunctionChange::TransferFunctionChange(const QString& text, State stateBefore,
-  State stateAfter, std::function<void(const State&)> applyState)
-  : QUndoCommand(text)
-  , before(std::move(stateBefore))
-  , after(std::move(stateAfter))
-  , apply(std::move(applyState))
-{
-}
-
-void TransferFunctionChange::undo()
-{
-  made = false;
-  apply(before);
-}
-
-void TransferFunctionChange::redo()
-{
-  if (!std::exchange(made, true))
-  {
-    apply(after);
-  }
-}
-
 namespace
 {
 
 using Function = vtkNexradTransferFunction;
+
+// A change from one state to another, which was made already when it is pushed.
+class Change : public QUndoCommand
+{
+public:
+  using State = TransferFunctionState;
+
+  // `applyState` gives the scene a state.
+  Change(const QString& text, State stateBefore, State stateAfter,
+    std::function<void(const State&)> applyState)
+    : QUndoCommand(text)
+    , before(std::move(stateBefore))
+    , after(std::move(stateAfter))
+    , apply(std::move(applyState))
+  {
+  }
+
+  void undo() override
+  {
+    made = false;
+    apply(before);
+  }
+
+  void redo() override
+  {
+    if (!std::exchange(made, true))
+    {
+      apply(after);
+    }
+  }
+
+private:
+  State before;
+  State after;
+  std::function<void(const State&)> apply;
+  bool made = true;
+};
 
 /// Voxels that a histogram looks at: some milliseconds on the window's thread.
 constexpr vtkIdType mostVoxels = 1 << 23;
@@ -169,7 +184,7 @@ TransferFunctionEditor::TransferFunctionEditor(vtkNexradVolumeScene* shownScene,
     [this]
     {
       emit Changed();
-      this->FollowSoon();
+      follow->Ask();
     });
   connect(chart, &TransferFunctionChart::EditFinished, this,
     [this]
@@ -339,21 +354,8 @@ void TransferFunctionEditor::FollowDrawing()
 {
   if (this->isVisible() && !chart->IsHeld())
   {
-    this->FollowSoon();
+    follow->Ask();
   }
-}
-
-// After the picture that was asked for: numbers that change are painted, and with them the window.
-void TransferFunctionEditor::FollowSoon()
-{
-  follow->Ask();
-}
-
-TransferFunctionEditor::Settings TransferFunctionEditor::SettingsNow() const
-{
-  Function* function = this->Shown();
-  return {function, function != nullptr ? function->GetMTime() : 0, scene->GetOptions().theme,
-    scene->GetPreset(), scene->GetOptions().colourBy};
 }
 
 void TransferFunctionEditor::Follow()
@@ -363,21 +365,24 @@ void TransferFunctionEditor::Follow()
     return;
   }
   this->FollowMoment(scene::ArrayOf(scene->GetVolume()));
-  const Settings now = this->SettingsNow();
-  if (!(now == followed))
+  Function* function = this->Shown();
+  const scene::SceneOptions options = scene->GetOptions();
+  const Settings now = {function, function != nullptr ? function->GetMTime() : 0, options.theme,
+    scene->GetPreset(), options.colourBy};
+  if (now != followed)
   {
     followed = now;
-    this->setEnabled(now.function != nullptr);
-    chart->SetTheme(*now.theme);
+    this->setEnabled(function != nullptr);
+    chart->SetTheme(options.theme);
     for (const int channel : {Function::RED, Function::GREEN, Function::BLUE})
     {
-      channels->button(channel)->setEnabled(now.colourArray.empty());
+      channels->button(channel)->setEnabled(options.colourBy.empty());
     }
     if (!channels->button(chart->Channel())->isEnabled())
     {
       this->ChooseChannel(Function::OPACITY); // another array gives the colours
     }
-    chart->SetFunction(now.function);
+    chart->SetFunction(function);
     this->Finish("Preset"); // whatever was changed elsewhere
   }
   this->FollowVolume();
@@ -670,7 +675,7 @@ void TransferFunctionEditor::Finish(const QString& what)
   TransferFunctionState now = TransferFunctionState::Of(scene);
   if (known.function && now.function && !(now == known))
   {
-    history.push(new TransferFunctionChange(
+    history.push(new Change(
       what, known, now, [this](const TransferFunctionState& state) { this->Apply(state); }));
   }
   known = std::move(now);

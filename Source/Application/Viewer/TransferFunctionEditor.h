@@ -8,13 +8,13 @@
 #include <vtkWeakPointer.h>
 
 #include <QTimer>
-#include <QUndoCommand>
 #include <QUndoStack>
 #include <QWidget>
 
 #include <functional>
 #include <optional>
 #include <string>
+#include <tuple>
 
 class QBoxLayout;
 class QButtonGroup;
@@ -42,26 +42,6 @@ struct TransferFunctionState
   /// What a scene has now.
   static TransferFunctionState Of(vtkNexradVolumeScene* scene);
   bool operator==(const TransferFunctionState& other) const;
-};
-
-/// A change from one state to another, which was made already when it is pushed.
-class TransferFunctionChange : public QUndoCommand
-{
-public:
-  using State = TransferFunctionState;
-
-  /// `apply` gives the scene a state.
-  TransferFunctionChange(const QString& text, State stateBefore, State stateAfter,
-    std::function<void(const State&)> applyState);
-
-  void undo() override;
-  void redo() override;
-
-private:
-  State before;
-  State after;
-  std::function<void(const State&)> apply;
-  bool made = true;
 };
 
 class Soon;
@@ -100,21 +80,10 @@ protected:
   void showEvent(QShowEvent* event) override;
 
 private:
-  /// What the editor shows of the scene's settings.
-  struct Settings
-  {
-    vtkNexradTransferFunction* function = nullptr; // compared, never followed
-    vtkMTimeType time = 0;
-    std::optional<scene::ThemeChoice> theme;
-    std::string preset;
-    std::string colourArray;
-
-    bool operator==(const Settings& other) const
-    {
-      return function == other.function && time == other.time && theme == other.theme &&
-             preset == other.preset && colourArray == other.colourArray;
-    }
-  };
+  /// What the editor shows of the scene's settings: the function (compared, never followed) and its
+  /// time, theme, preset, and the array of the colours.
+  using Settings = std::tuple<const void*, vtkMTimeType, std::optional<scene::ThemeChoice>,
+    std::string, std::string>;
 
   void AddPresets(QBoxLayout* column);
   void AddChannels(QBoxLayout* column);
@@ -125,9 +94,7 @@ private:
     const QString& tip, const std::function<void()>& press);
 
   vtkNexradTransferFunction* Shown() const;
-  Settings SettingsNow() const;
   void FollowDrawing();
-  void FollowSoon();
   void FollowVolume();
   void FollowMoment(const std::string& name);
   void FollowUnit();
@@ -155,6 +122,8 @@ private:
   QUndoStack history;
   TransferFunctionState known; ///< at the last entry of the history
   TransferFunctionChart* chart = nullptr;
+  /// After the picture that was asked for: numbers that change are painted, and with them the
+  /// window.
   Soon* follow = nullptr;
   QComboBox* presets = nullptr;
   QButtonGroup* channels = nullptr;

@@ -2,7 +2,6 @@
 #include "Commands/LoadedCommands.h"
 #include "Drawing/PictureWindow.h"
 #include "Options/DrawingOptions.h"
-#include "Options/GridOptions.h"
 #include "Options/ThreadOptions.h"
 #include "Options/UnitOptions.h"
 #include "Output/MessageOutput.h"
@@ -61,13 +60,6 @@ Outcome RunWindow(const viewer::ViewRequest& request)
   return outcome;
 }
 
-int RunView(const ViewOptions& options)
-{
-  const Outcome outcome = RunWindow(options.request);
-  PrintOutcome(outcome, options.quiet);
-  return outcome.problems.empty() ? Done : DoneWithDamage;
-}
-
 } // namespace
 
 NEXRAD_ADD_OPTIONS(view)(CLI::App& command, CommandAction& action)
@@ -89,7 +81,12 @@ NEXRAD_ADD_OPTIONS(view)(CLI::App& command, CommandAction& action)
   const auto run = [options, &command, &action]
   {
     FinishDrawingOptions(command, options->request);
-    action = [options] { return RunView(*options); };
+    action = [options]
+    {
+      const Outcome outcome = RunWindow(options->request);
+      PrintOutcome(outcome, options->quiet);
+      return outcome.problems.empty() ? Done : DoneWithDamage;
+    };
   };
   command.callback(run);
 }

@@ -166,8 +166,10 @@ vec4 FindPicture()
 {
   return picture.a > 0.0 ? picture : vec4(PlaceAt(raySpan.x), 0.5);
 }
-#elif defined TEXTURE_SLICE_LIT_TURNS
-// Formulas T9, R3. Samples of one turn of the loop are lit together, at the mean of their places.
+#else
+// Formulas T9, R3: associated colour, front to back.
+#ifdef TEXTURE_SLICE_LIT_TURNS
+// Samples of one turn of the loop are lit together, at the mean of their places.
 vec3 unlit = vec3(0.0);
 // The sum of their places times the opacities that they add, and that of these opacities.
 vec2 ofTurn = vec2(0.0);
@@ -186,17 +188,12 @@ void EndTurn()
   unlit = vec3(0.0);
   ofTurn = vec2(0.0);
 }
-
-vec4 FindPicture()
-{
-  return picture;
-}
 #else
-// Formulas T9, R3: associated colour, front to back.
 void Add(vec4 gathered)
 {
   picture += (1.0 - picture.a) * gathered;
 }
+#endif
 
 vec4 FindPicture()
 {

@@ -63,12 +63,15 @@ vtkTextureSliceChecksums::Key vtkTextureSliceChecksums::MakeKey(
     source.Codes, source.Places};
 }
 
-void vtkTextureSliceChecksums::Build(const vtkTextureSliceScalars& source)
+vtkSmartPointer<vtkTextureSliceChecksums> vtkTextureSliceChecksums::Make(
+  const vtkTextureSliceScalars& source)
 {
-  this->Made = MakeKey(source);
-  this->Bricks.Build(source);
-  this->Texels = {source, this->Bricks};
-  this->Blocks.Build(source);
+  auto checksum = vtkSmartPointer<vtkTextureSliceChecksums>::New();
+  checksum->Made = MakeKey(source);
+  checksum->Bricks.Build(source);
+  checksum->Texels = {source, checksum->Bricks};
+  checksum->Blocks.Build(source);
+  return checksum;
 }
 
 vtkSmartPointer<vtkTextureSliceChecksums> vtkTextureSliceChecksums::Prepare(
@@ -76,8 +79,7 @@ vtkSmartPointer<vtkTextureSliceChecksums> vtkTextureSliceChecksums::Prepare(
 {
   // The array makes its information when it is first asked, and counts as changed by that.
   vtkInformation* information = source.Scalars->GetInformation();
-  auto checksum = vtkSmartPointer<vtkTextureSliceChecksums>::New();
-  checksum->Build(source);
+  const auto checksum = Make(source);
   if (before != nullptr)
   {
     checksum->Prepared = checksum->TakeChanges(source, before);
@@ -96,12 +98,7 @@ vtkSmartPointer<vtkTextureSliceChecksums> vtkTextureSliceChecksums::Get(
     checksum =
       vtkTextureSliceChecksums::SafeDownCast(source.Scalars->GetInformation()->Get(PREPARED()));
   }
-  if (checksum == nullptr || checksum->Made != MakeKey(source))
-  {
-    checksum = vtkSmartPointer<vtkTextureSliceChecksums>::New();
-    checksum->Build(source);
-  }
-  return checksum;
+  return checksum != nullptr && checksum->Made == MakeKey(source) ? checksum : Make(source);
 }
 
 vtkTextureSliceChanges vtkTextureSliceChecksums::TakeChanges(

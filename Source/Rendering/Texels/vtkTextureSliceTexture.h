@@ -7,7 +7,6 @@
 #include "vtkObject.h"
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
-#include "vtkTextureSliceBricks.h"
 #include "vtkTextureSliceScalars.h"
 #include "vtkTextureSliceTexels.h"
 
@@ -58,7 +57,7 @@ private:
 
   /// Where it is kept in an array's information.
   static vtkInformationObjectBaseKey* PREPARED();
-  void Build(const vtkTextureSliceScalars& source);
+  static vtkSmartPointer<vtkTextureSliceChecksums> Make(const vtkTextureSliceScalars& source);
 
   Key Made;
   vtkTextureSliceBlocks Blocks;

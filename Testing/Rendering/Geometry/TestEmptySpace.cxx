@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is left out of a volume, against a look at every voxel and every brick.
-#include "vtkTextureSliceBricks.h"
 #include "vtkTextureSliceEmptySpace.h"
 #include "vtkTextureSliceTables.h"
+#include "vtkTextureSliceTexels.h"
 
 #include "vtkFloatArray.h"
 #include "vtkNew.h"

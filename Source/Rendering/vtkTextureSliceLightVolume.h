@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The cells in which the light of a volume is computed, and what light meets in them.
-#ifndef vtkTextureSliceLightCells_h
-#define vtkTextureSliceLightCells_h
+// How much light arrives in each part of a volume: from one light, and from the sky.
+#ifndef vtkTextureSliceLightVolume_h
+#define vtkTextureSliceLightVolume_h
 
+#include "vtkFloatArray.h"
 #include "vtkNexradRenderingModule.h" // for the export macro
+#include "vtkSmartPointer.h"
 #include "vtkTextureSliceScalars.h"
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -62,9 +65,8 @@ struct VTKNEXRADRENDERING_EXPORT vtkTextureSliceCut
 /// its voxels', which the transfer functions give. Voxels that are hidden, not finite or left out
 /// by a mask let all light through. With isosurfaces, the mean scalar of its visible voxels; not a
 /// number where fewer than half of them are visible: no surface has an end there.
-class VTKNEXRADRENDERING_EXPORT vtkTextureSliceLightCells
+struct VTKNEXRADRENDERING_EXPORT vtkTextureSliceLightCells
 {
-public:
   /// The extinction of a data length over the scalars of one component.
   struct Function
   {
@@ -112,15 +114,78 @@ public:
   /// Goes over the voxels, on several threads. Of large cells, the middle rows stand for all.
   vtkTextureSliceLightCells(const Source& source, std::size_t mostCells);
 
+  vtkTextureSliceLightGrid Grid;
+  std::vector<Surface> Surfaces;
+  std::vector<float> Values; ///< one for each cell, x varying fastest
+};
+
+/// A direction of light as steps from plane to plane of cells, the first one where the light
+/// enters. Parallel rays lie at whole places of a raster across the planes: 0 is along the rows, 1
+/// from row to row. The cell i of plane p lies at the place i + Slope * p + Offset, at which the
+/// same ray crosses all planes. TextureSliceLightCS reads this as it is.
+struct vtkTextureSliceLightCourse
+{
+  std::array<int, 2> Cells;
+  std::array<int, 2> Stride; ///< from one cell to the next
+  std::array<int, 2> Rays;
+  std::array<float, 2> Slope; ///< 0: rays come in by no side
+  std::array<float, 2> Offset;
+  std::array<float, 2> LowMargin; ///< cells from the centres of the outermost ones to the faces
+  std::array<float, 2> HighMargin;
+  int Planes;
+  int First;       ///< the cell 0, 0 of the first plane
+  int PlaneStride; ///< away from the light
+  float Step;      ///< length of a ray from plane to plane
+  float Margin;    ///< steps from where light enters to the first plane
+  float Weight;    ///< of what arrives
+};
+
+/// Two components for each cell of a vtkTextureSliceLightGrid, 0 to 1 (all light): the
+/// transmittance to the light, and its mean over directions all over the upper half of the sky
+/// (Formulas L2). A component that is not asked for is 1 everywhere. It needs no OpenGL.
+class VTKNEXRADRENDERING_EXPORT vtkTextureSliceLightVolume
+{
+public:
+  /// Directions of the sky. The shadows of surfaces have edges that a mean of few of them shows.
+  static constexpr int SkyDirections = 12;
+  static constexpr int SkyDirectionsOfSurfaces = 36;
+
+  /// Where light comes from. Directions are data lengths along the axes of the volume.
+  struct Lights
+  {
+    bool Shadow = false;    ///< whether the first component is asked for
+    bool Occlusion = false; ///< whether the second one is
+    std::array<double, 3> ToLight{0, 0, 1};
+    /// The columns of a matrix from directions about the sky's zenith (0, 0, 1).
+    std::array<std::array<double, 3>, 3> Sky{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+
+    bool operator==(const Lights& other) const
+    {
+      return std::tie(this->Shadow, this->Occlusion, this->ToLight, this->Sky) ==
+             std::tie(other.Shadow, other.Occlusion, other.ToLight, other.Sky);
+    }
+  };
+
+  using Courses = std::vector<vtkTextureSliceLightCourse>;
+  /// Adds to each cell the transmittance from where each direction enters the volume, by weight.
+  /// @return false if it cannot and has added nothing
+  using Sweep =
+    std::function<bool(const vtkTextureSliceLightCells&, const Courses&, std::vector<float>&)>;
+
+  /// @param sweep where it cannot, or is nullptr, the processor does it
+  void Build(
+    const vtkTextureSliceLightCells& cells, const Lights& lights, const Sweep& sweep = nullptr);
+
   const vtkTextureSliceLightGrid& GetGrid() const { return this->Grid; }
-  const std::vector<Surface>& GetSurfaces() const { return this->Surfaces; }
-  /// One for each cell, x varying fastest.
-  const std::vector<float>& GetValues() const { return this->Values; }
+  /// A new array with each Build.
+  vtkFloatArray* GetLight() const { return this->Light; }
+
+  /// Unit directions that are spread evenly over the half of the sky about (0, 0, 1).
+  static std::vector<std::array<double, 3>> GetSkyDirections(int count = SkyDirections);
 
 private:
   vtkTextureSliceLightGrid Grid;
-  std::vector<Surface> Surfaces;
-  std::vector<float> Values;
+  vtkSmartPointer<vtkFloatArray> Light;
 };
 
 #endif
