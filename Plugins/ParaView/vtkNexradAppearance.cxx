@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradAppearance.h"
 
-#include "Scene/Frame/LightOptions.h"
 #include "Scene/Frame/SceneFrame.h"
 #include "Scene/VolumeAppearance.h"
 #include "nexrad/Model/Moment.h"
@@ -160,7 +159,7 @@ vtkNexradBox Frame(vtkSMProxy* representation, double time)
 void Light(vtkSMProxy* representation)
 {
   vtkNew<vtkOpenGLTextureSliceVolumeMapper> lit;
-  nexrad::scene::SetLight(lit, nexrad::scene::LightOptions());
+  nexrad::scene::SetLight(lit, nexrad::scene::LightOptions(), false);
   Set(representation, "ShadowStrength", lit->GetShadowStrength());
   Set(representation, "AmbientOcclusionStrength", lit->GetOcclusionStrength());
   Set(representation, "ShadowDensity", lit->GetShadowDensity());

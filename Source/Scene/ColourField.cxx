@@ -83,9 +83,7 @@ void SetMomentColours(const SceneOptions& options, ColourField& field)
   SceneOptions own;
   own.colours = options.colours;
   const auto function = MakeTransferFunction(own, options.colourBy);
-  vtkNew<vtkVolumeProperty> property;
-  function->FillProperty(property);
-  field.colours->DeepCopy(property->GetRGBTransferFunction());
+  function->FillColorFunction(field.colours);
   field.scale = ScaleOf(options.colourBy, function);
 }
 
@@ -123,8 +121,6 @@ void ColourField::FillProperty(vtkVolumeProperty* property) const
 ColourField MakeColourField(
   const SceneOptions& options, vtkImageData* volume, const VolumeInformation& information)
 {
-  const char* name = volume->GetPointData()->GetScalars()->GetName();
-  const std::string opacity = name != nullptr ? name : "";
   vtkNew<vtkNexradTwoFields> filter;
   vtkNexradMessages messages;
   messages.Watch(filter);
@@ -146,7 +142,7 @@ ColourField MakeColourField(
   AddMissing(options.colourBy, field.colours);
   field.note =
     filter->GetNumberOfMissingValues() > 0 ? "brown: no value of " + options.colourBy : "";
-  field.scale.title += "; opacity by " + TitleOfArray(opacity);
+  field.scale.title += "; opacity by " + TitleOfArray(ArrayOf(volume));
   return field;
 }
 

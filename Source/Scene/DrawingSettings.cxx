@@ -9,6 +9,7 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <set>
 
 namespace nexrad::scene
 {
@@ -33,21 +34,17 @@ ValueType<std::string> NameValue(const std::string& unit)
 
 ValueType<std::string> PresetValue()
 {
+  std::set<std::string> names;
   std::string list;
   for (int i = 0; i < vtkNexradTransferFunction::GetNumberOfPresets(); ++i)
   {
-    list += (i == 0 ? "{" : ",") + std::string(vtkNexradTransferFunction::GetPresetName(i));
+    const std::string name = vtkNexradTransferFunction::GetPresetName(i);
+    list += (list.empty() ? "{" : ",") + name;
+    names.insert(name);
   }
   list += "}";
-  const auto parse = [list](const std::string& text)
-  {
-    bool known = text.empty();
-    for (int i = 0; i < vtkNexradTransferFunction::GetNumberOfPresets(); ++i)
-    {
-      known = known || text == vtkNexradTransferFunction::GetPresetName(i);
-    }
-    return known ? text : throw Error(text + " not in " + list);
-  };
+  const auto parse = [names, list](const std::string& text)
+  { return text.empty() || names.count(text) > 0 ? text : throw Error(text + " not in " + list); };
   return {{"preset", "TEXT:" + list, {}}, parse, [](const std::string& name) { return name; }};
 }
 
@@ -242,11 +239,6 @@ std::string PlanText(const PlanOptions& plan)
 }
 
 // What is cut away. All places have one unit; a text replaces what was there.
-
-void TakeCropBox(const std::string& text, CutOptions& cut)
-{
-  cut.box = ParseBoxWithHeights(text, cut.unit);
-}
 
 std::string CropText(const CutOptions& cut)
 {
@@ -528,11 +520,13 @@ DrawingRow MakeCutRow(const char* key, const char* unit, const char* says,
 
 void AddCuts(DrawingRows& rows)
 {
-  rows.push_back(MakeCutRow("crop", "WEST,EAST,SOUTH,NORTH,BOTTOM,TOP",
+  rows.push_back(MakeCutRow(
+    "crop", "WEST,EAST,SOUTH,NORTH,BOTTOM,TOP",
     "Draw the part of the volume within this box alone, m or km east and north of the domain's "
     "centre and above mean sea level; of a volume on axes of longitude and latitude, west to north "
     "in degrees, as in -98deg,-97deg,35deg,36deg,0,15km",
-    TakeCropBox, CropText, [](CutOptions& cut) { cut.box.reset(); }));
+    [](const std::string& text, CutOptions& cut) { cut.box = ParseBoxWithHeights(text, cut.unit); },
+    CropText, [](CutOptions& cut) { cut.box.reset(); }));
   rows.push_back(MakeCutRow("clip", "EAST,NORTH,AZIMUTH[,HEIGHT,ELEVATION]",
     "Draw the part of the volume on one side of a plane alone: a point of it, m or km east and "
     "north of the domain's centre (or longitude and latitude, as in -97.5deg,35deg), and the "

@@ -5,6 +5,7 @@
 #include "nexrad/Model/Moment.h"
 #include "nexrad/Model/SiteTable.h"
 #include "vtkNexradTransferFunction.h"
+#include "vtkNexradVoxels.h"
 
 #include <vtkCamera.h>
 #include <vtkDataArray.h>
@@ -74,40 +75,16 @@ std::optional<double> DistanceToHeight(const ViewRay& ray, double z)
   return std::isfinite(distance) && distance >= 0.0 ? std::optional(distance) : std::nullopt;
 }
 
-std::optional<std::array<double, 2>> ClipToBox(const ViewRay& ray, const std::array<double, 6>& box)
-{
-  double enters = 0.0;
-  double leaves = std::numeric_limits<double>::max();
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    const double lower = box[2 * axis] - ray.origin[axis];
-    const double upper = box[2 * axis + 1] - ray.origin[axis];
-    if (ray.direction[axis] == 0.0)
-    {
-      if (lower > 0.0 || upper < 0.0)
-      {
-        return std::nullopt;
-      }
-      continue;
-    }
-    const double first = lower / ray.direction[axis];
-    const double second = upper / ray.direction[axis];
-    enters = std::max(enters, std::min(first, second));
-    leaves = std::min(leaves, std::max(first, second));
-  }
-  return enters <= leaves ? std::optional(std::array<double, 2>{enters, leaves}) : std::nullopt;
-}
-
 VoxelReader::VoxelReader(vtkImageData* image)
   : volume(image)
   , scalars(image->GetPointData()->GetScalars())
   , hidden(image->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()))
 {
   volume->GetDimensions(dimensions.data());
-  name = scalars->GetName() != nullptr ? scalars->GetName() : "";
+  name = vtkNexradScalarsName(volume);
   const std::optional<MomentName> moment = ParseMomentName(name);
   unit = moment ? UnitOf(*moment) : "";
-  codeValues = volume->GetFieldData()->GetArray((name + "_code_values").c_str());
+  codeValues = vtkNexradFindCodeValues(volume, name);
   if (codeValues != nullptr)
   {
     hidden = volume->GetFieldData()->GetArray((name + "_code_ghosts").c_str());
@@ -212,6 +189,32 @@ std::optional<double> VoxelReader::NearestOf(const std::string& array, const Ind
 
 namespace
 {
+
+// The part of the ray within a box (west, east, south, north, bottom, top), as distances; nothing
+// where it misses the box.
+std::optional<std::array<double, 2>> ClipToBox(const ViewRay& ray, const std::array<double, 6>& box)
+{
+  double enters = 0.0;
+  double leaves = std::numeric_limits<double>::max();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double lower = box[2 * axis] - ray.origin[axis];
+    const double upper = box[2 * axis + 1] - ray.origin[axis];
+    if (ray.direction[axis] == 0.0)
+    {
+      if (lower > 0.0 || upper < 0.0)
+      {
+        return std::nullopt;
+      }
+      continue;
+    }
+    const double first = lower / ray.direction[axis];
+    const double second = upper / ray.direction[axis];
+    enters = std::max(enters, std::min(first, second));
+    leaves = std::min(leaves, std::max(first, second));
+  }
+  return enters <= leaves ? std::optional(std::array<double, 2>{enters, leaves}) : std::nullopt;
+}
 
 constexpr double samplesPerVoxel = 2.0;
 constexpr double opaque = 0.99; // what lies behind is not seen

@@ -33,11 +33,6 @@ ViewRay RayThrough(
 /// How far along the ray it meets a horizontal plane; nothing where it does not.
 std::optional<double> DistanceToHeight(const ViewRay& ray, double z);
 
-/// The part of the ray within a box (west, east, south, north, bottom, top), as distances; nothing
-/// where it misses the box.
-std::optional<std::array<double, 2>> ClipToBox(
-  const ViewRay& ray, const std::array<double, 6>& box);
-
 /// The values of a merged volume at single places, whether its scalars are values or codes. The
 /// volume must outlive it.
 class VoxelReader

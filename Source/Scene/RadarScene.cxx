@@ -5,7 +5,6 @@
 #include "Scene/Captions/EchoShown.h"
 #include "Scene/EchoFraming.h"
 #include "Scene/Frame/PictureLayout.h"
-#include "Scene/Frame/SeenPart.h"
 #include "Scene/Map/MapLayer.h"
 #include "Scene/Plan/PlanLayer.h"
 #include "Scene/Scales/ColourScale.h"
@@ -15,24 +14,19 @@
 #include "Scene/VolumeCut.h"
 #include "nexrad/Settings/ValueTexts.h"
 #include "nexrad/System/Error.h"
-#include "vtkNexradImageConversion.h"
 #include "vtkNexradThreads.h"
-#include "vtkNexradTransferFunction.h"
 
 #include <vtkActor.h>
 #include <vtkBoundingBox.h>
 #include <vtkCamera.h>
-#include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkMath.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkPlaneCollection.h>
-#include <vtkPointData.h>
 #include <vtkPropCollection.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkTextureObject.h>
-#include <vtkUnsignedCharArray.h>
 #include <vtkVolume.h>
 #include <vtkVolumeMapper.h>
 #include <vtkVolumeProperty.h>
@@ -41,7 +35,6 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -53,34 +46,10 @@ namespace
 // The ground is drawn a little lower than mean sea level, in scene units.
 constexpr double groundHeight = -0.0032;
 
-std::string SizeText(vtkImageData* volume)
-{
-  const int* size = volume->GetDimensions();
-  return DimensionsText({size[0], size[1], size[2]});
-}
-
-// A volume of one layer has no thickness, and VTK draws nothing of it.
-void RequireVoxels(vtkImageData* data, const SceneOptions& options)
-{
-  if (data == nullptr || data->GetNumberOfPoints() == 0 ||
-      data->GetPointData()->GetScalars() == nullptr)
-  {
-    throw Error("the volume holds no voxels to draw");
-  }
-  const int* size = data->GetDimensions();
-  if (!options.plan && std::min({size[0], size[1], size[2]}) < 2)
-  {
-    throw Error("the volume of " + SizeText(data) +
-                " voxels is one layer without thickness; merge it with two layers or more "
-                "(--dims), or draw it as a map (--map)");
-  }
-}
-
 std::string ScaleText(double exaggeration)
 {
-  std::ostringstream stream;
-  stream << "Height above mean sea level, stretched " << exaggeration << " times";
-  return exaggeration == 1.0 ? "Height above mean sea level, to scale" : stream.str();
+  return "Height above mean sea level, " +
+         (exaggeration == 1.0 ? "to scale" : "stretched " + NumberWord(exaggeration) + " times");
 }
 
 // Throws for a place that the camera cannot look at.
@@ -90,11 +59,6 @@ void RequirePlace(const SceneContents& contents, const VolumeInformation& inform
   {
     SceneFrame(contents.volume, information, 1.0).PlaceOf(*contents.view.lookAt);
   }
-}
-
-PresetWords NamesOfPresets(const SceneOptions& options)
-{
-  return options.namesOptions ? PresetWords::Option : PresetWords::Setting;
 }
 
 } // namespace
@@ -145,10 +109,9 @@ RadarScene::RadarScene(
 
 RadarScene::~RadarScene()
 {
-  for (Props* group :
-    {&plan, &ground.props, &scales.props, &section.props, &mark.props, &captions, &labels})
+  for (SceneLayer* layer : {&plan, &ground, &scales, &section, &mark, &captions, &labels})
   {
-    this->Replace(*group, {});
+    this->Replace(*layer, {});
   }
   renderer->RemoveVolume(volume);
 }
@@ -156,11 +119,6 @@ RadarScene::~RadarScene()
 int RadarScene::TextSize() const
 {
   return std::max(9, std::min(size[1] / 45, size[0] / 50));
-}
-
-TextStyle RadarScene::NoteStyle() const
-{
-  return {this->TextSize(), theme.scale, theme.rim};
 }
 
 bool RadarScene::OtherColours(const SceneOptions& other) const
@@ -218,8 +176,7 @@ void RadarScene::FollowIsoValues()
     options.mapper == MapperChoice::TextureSlice && options.light.HasShadows());
   for (vtkVolumeMapper* mapper : this->Mappers())
   {
-    DrawSurfaces(mapper, surfaces);
-    scene::SetLight(mapper, options.light);
+    SetLight(mapper, options.light, surfaces);
   }
   this->UpdateSlices();
 }
@@ -426,9 +383,8 @@ void RadarScene::LookForEcho()
   nothing.clear();
   if (shownData)
   {
-    nothing =
-      WordsForNothing(FindEchoShown(shownData, options.cut.box, OpacitiesOf(transferFunction)),
-        array, LeastShown(transferFunction), information.biologicalShare, NamesOfPresets(options));
+    nothing = WordsForNothing(shownData, options.cut.box, transferFunction,
+      information.biologicalShare, options.namesOptions);
   }
 }
 
@@ -451,26 +407,6 @@ void RadarScene::FollowSize()
     this->Aim();
   }
 }
-
-namespace
-{
-
-// Values in place of codes, which the slices of one moment alone can draw.
-vtkSmartPointer<vtkImageData> AsDrawn(vtkImageData* data, const SceneOptions& options)
-{
-  const bool slices = options.mapper == MapperChoice::TextureSlice && options.colourBy.empty();
-  const bool codes =
-    vtkUnsignedCharArray::SafeDownCast(data->GetPointData()->GetScalars()) != nullptr;
-  if (slices || options.plan || !codes)
-  {
-    return data;
-  }
-  auto values = vtkSmartPointer<vtkImageData>::New();
-  vtkNexradVolumeToImage(vtkNexradImageToVolume(data), values);
-  return values;
-}
-
-} // namespace
 
 RadarScene::Prepared RadarScene::Prepare(
   const SceneOptions& options, vtkImageData* data, const std::string& ofArray)
@@ -702,44 +638,32 @@ void RadarScene::DrawPlan(const PlanView& shown, vtkImageData* placed)
   const std::string key = PlanKey(shown, scale);
   note = shown.where + (key.empty() ? "" : "; " + key);
   nothing = WordsForMap(
-    shown, *options.plan, scale, shownData, information.biologicalShare, NamesOfPresets(options));
-  this->Replace(
-    plan, {MakePlanLayer(shown, scale, placed, HeightOf(frame, GroundLevel::Picture), theme)});
-}
-
-void RadarScene::Replace(Props& group, Props replacement)
-{
-  for (const auto& prop : group)
-  {
-    renderer->RemoveViewProp(prop);
-  }
-  group = std::move(replacement);
-  for (const auto& prop : group)
-  {
-    renderer->AddViewProp(prop);
-  }
-  this->OrderProps();
+    shown, *options.plan, scale, shownData, information.biologicalShare, options.namesOptions);
+  this->Replace(plan,
+    {{MakePlanLayer(shown, scale, placed, HeightOf(frame, GroundLevel::Picture), theme)}, {}});
 }
 
 // Lines and letters that lie over each other are drawn in one order, whatever was replaced last.
-void RadarScene::OrderProps()
+void RadarScene::Replace(SceneLayer& layer, SceneLayer replacement)
 {
-  vtkPropCollection* props = renderer->GetViewProps();
-  for (const Props* group :
-    {&scales.props, &ground.props, &section.props, &mark.props, &labels, &captions})
+  for (const auto& prop : layer.props)
   {
-    for (const auto& prop : *group)
+    renderer->RemoveViewProp(prop);
+  }
+  layer = std::move(replacement);
+  for (const auto& prop : layer.props)
+  {
+    renderer->AddViewProp(prop);
+  }
+  vtkPropCollection* props = renderer->GetViewProps();
+  for (const SceneLayer* each : {&scales, &ground, &section, &mark, &labels, &captions})
+  {
+    for (const auto& prop : each->props)
     {
       props->RemoveItem(prop);
       props->AddItem(prop);
     }
   }
-}
-
-void RadarScene::Replace(SceneLayer& layer, SceneLayer replacement)
-{
-  this->Replace(layer.props, std::move(replacement.props));
-  layer.labels = std::move(replacement.labels);
 }
 
 void RadarScene::DrawGround()
@@ -766,14 +690,15 @@ void RadarScene::DrawScales()
 
 void RadarScene::DrawCaptions()
 {
-  Props props = MakeColourBar(scale, size, this->NoteStyle(), theme.frame, pictures);
-  right = LeftOfColourBar(scale, size, this->NoteStyle(), pictures);
+  const TextStyle style = {this->TextSize(), theme.scale, theme.rim};
+  ColourBar bar = MakeColourBar(scale, size, style, theme.frame, pictures);
+  right = bar.left;
   CaptionLayer layer = MakeCaptions({scale.title, note, information, ages, nothing}, size, right,
     this->TextSize(), theme, pictures);
-  props.insert(props.end(), layer.props.begin(), layer.props.end());
+  bar.props.insert(bar.props.end(), layer.props.begin(), layer.props.end());
   taken = std::move(layer.taken);
   overScene = layer.overScene;
-  this->Replace(captions, std::move(props));
+  this->Replace(captions, {std::move(bar.props), {}});
 }
 
 // Labels of the scales first: they have one place each. Which radars are named goes by the zoom
@@ -799,21 +724,21 @@ void RadarScene::DrawLabels()
   // The ground's corners come first in the outline, those in the north after those in the south.
   const auto sides = ChooseSides(all, {outline[0], outline[1], outline[3], outline[2]},
     Projection(renderer->GetActiveCamera(), size), pictures, boxes);
-  Props props;
+  SceneLayer drawn;
   for (std::size_t i = 0; i < all.size(); ++i)
   {
     if (sides[i])
     {
       if (all[i].dot > 0.0)
       {
-        props.push_back(
+        drawn.props.push_back(
           MakeMarker(all[i].point, all[i].dot, all[i].style.colour, all[i].style.rim));
       }
-      props.push_back(
+      drawn.props.push_back(
         pictures.Get(all[i].text, all[i].style).MakeLabel(all[i].point, *sides[i], all[i].gap));
     }
   }
-  this->Replace(labels, std::move(props));
+  this->Replace(labels, std::move(drawn));
 }
 
 void RadarScene::Aim()
@@ -838,9 +763,10 @@ void RadarScene::Aim()
 void RadarScene::FitClippingRange()
 {
   vtkBoundingBox box;
-  for (const Props& group : {Props{volume.Get()}, plan, scales.props})
+  for (const auto& props :
+    {std::vector<vtkSmartPointer<vtkProp>>{volume.Get()}, plan.props, scales.props})
   {
-    for (const auto& prop : group)
+    for (const auto& prop : props)
     {
       const double* bounds = prop->GetBounds();
       if (bounds != nullptr && vtkMath::AreBoundsInitialized(bounds))

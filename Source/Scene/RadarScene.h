@@ -7,12 +7,13 @@
 #include "Scene/Frame/EchoExtent.h"
 #include "Scene/Frame/SceneFrame.h"
 #include "Scene/Frame/VolumeInformation.h"
-#include "Scene/Map/GroundShadow.h"
+#include "Scene/Map/GroundPicture.h"
 #include "Scene/Scales/ColourScale.h"
 #include "Scene/SceneOptions.h"
 #include "Scene/Shapes/Letters.h"
 #include "Scene/Shapes/Theme.h"
 #include "nexrad/Grid/FinerBox.h"
+#include "vtkNexradTransferFunction.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -24,7 +25,6 @@
 #include <vector>
 
 class vtkImageData;
-class vtkNexradTransferFunction;
 class vtkProp;
 class vtkRenderer;
 class vtkVolume;
@@ -94,8 +94,6 @@ public:
   void BeginFrame();
 
 private:
-  using Props = std::vector<vtkSmartPointer<vtkProp>>;
-
   struct Prepared;
   static Prepared Prepare(
     const SceneOptions& options, vtkImageData* volume, const std::string& ofArray);
@@ -109,9 +107,7 @@ private:
   void SetDetail(vtkImageData* newDetail);
   void SetMark(const std::optional<std::array<double, 4>>& faces);
   SceneFrame FollowEcho(vtkImageData* data, const VolumeInformation& read);
-  void Replace(Props& group, Props replacement);
   void Replace(SceneLayer& layer, SceneLayer replacement);
-  void OrderProps();
   void TransferFunctionChanged();
   void FollowIsoValues();
   void DrawGround();
@@ -133,7 +129,6 @@ private:
   void DrawCaptions();
   void Aim();
   void DrawLabels();
-  TextStyle NoteStyle() const;
   void FitClippingRange();
   int TextSize() const;
 
@@ -164,14 +159,14 @@ private:
   std::string thinned;                     ///< what was said of voxels that OpenGL does not take
   std::string nothing;                     ///< what is said where nothing is to be seen
   TextPictures pictures;
-  Props plan;
+  SceneLayer plan;
   SceneLayer ground; ///< the ground itself is the first
   GroundShadow groundShadow;
   SceneLayer section; ///< its line on the ground
   SceneLayer scales;
   SceneLayer mark;
-  Props captions;
-  Props labels;
+  SceneLayer captions;
+  SceneLayer labels;
   std::vector<ScenePoint> outline;   ///< of the domain and its scales
   std::vector<PixelBox> taken;       ///< by captions
   std::optional<PixelBox> overScene; ///< by the words where nothing is to be seen

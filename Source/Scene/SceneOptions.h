@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Scene/Frame/LightOptions.h"
 #include "Scene/Frame/SceneFrame.h"
-#include "Scene/Plan/PlanOptions.h"
+#include "Scene/Plan/PlanView.h"
 #include "Scene/Shapes/Theme.h"
 #include "Scene/VolumeCut.h"
 
@@ -58,8 +57,6 @@ struct SceneOptions
                         ///< moment, which gives the opacities; empty: the moment gives both
   std::optional<double> exaggeration; ///< of heights; above 0; empty: DefaultExaggeration
   MapperChoice mapper = MapperChoice::TextureSlice;
-  bool scalarsAsCodes = true; ///< whether volumes may be read as the codes of their files where
-                              ///< slices are drawn, of one moment
   bool preIntegration = true; ///< vtkOpenGLTextureSliceVolumeMapper::SetPreIntegration
   bool linearInterpolation =
     true;         ///< between voxels; else each place has its nearest voxel's value
@@ -82,9 +79,9 @@ struct SceneOptions
     const auto all = [](const SceneOptions& of)
     {
       return std::tie(of.preset, of.colours, of.opacities, of.isoValues, of.colourBy,
-        of.exaggeration, of.mapper, of.scalarsAsCodes, of.preIntegration, of.linearInterpolation,
-        of.slices, of.opacityDistance, of.framing, of.ringSpacing, of.theme, of.heightWalls,
-        of.placeNames, of.namesOptions, of.light, of.plan, of.cut);
+        of.exaggeration, of.mapper, of.preIntegration, of.linearInterpolation, of.slices,
+        of.opacityDistance, of.framing, of.ringSpacing, of.theme, of.heightWalls, of.placeNames,
+        of.namesOptions, of.light, of.plan, of.cut);
     };
     return all(*this) == all(other);
   }

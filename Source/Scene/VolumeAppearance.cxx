@@ -2,7 +2,10 @@
 #include "Scene/VolumeAppearance.h"
 
 #include "Scene/Frame/SceneFrame.h"
+#include "nexrad/Settings/ValueTexts.h"
 #include "nexrad/System/Error.h"
+#include "vtkNexradColorMapSources.h"
+#include "vtkNexradImageConversion.h"
 #include "vtkNexradMessages.h"
 #include "vtkNexradTransferFunction.h"
 #include "vtkOpenGLTextureSliceVolumeMapper.h"
@@ -12,6 +15,8 @@
 #include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkOpenGLGPUVolumeRayCastMapper.h>
+#include <vtkPointData.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkVolumeProperty.h>
 
 #include <algorithm>
@@ -95,6 +100,42 @@ constexpr double outermostOpacity = 0.35;
 constexpr double innermostOpacity = 0.95;
 
 } // namespace
+
+std::string SizeText(vtkImageData* volume)
+{
+  const int* size = volume->GetDimensions();
+  return DimensionsText({size[0], size[1], size[2]});
+}
+
+void RequireVoxels(vtkImageData* data, const SceneOptions& options)
+{
+  if (data == nullptr || data->GetNumberOfPoints() == 0 ||
+      data->GetPointData()->GetScalars() == nullptr)
+  {
+    throw Error("the volume holds no voxels to draw");
+  }
+  const int* size = data->GetDimensions();
+  if (!options.plan && std::min({size[0], size[1], size[2]}) < 2)
+  {
+    throw Error("the volume of " + SizeText(data) +
+                " voxels is one layer without thickness; merge it with two layers or more "
+                "(--dims), or draw it as a map (--map)");
+  }
+}
+
+vtkSmartPointer<vtkImageData> AsDrawn(vtkImageData* data, const SceneOptions& options)
+{
+  const bool slices = options.mapper == MapperChoice::TextureSlice && options.colourBy.empty();
+  const bool codes =
+    vtkUnsignedCharArray::SafeDownCast(data->GetPointData()->GetScalars()) != nullptr;
+  if (slices || options.plan || !codes)
+  {
+    return data;
+  }
+  auto values = vtkSmartPointer<vtkImageData>::New();
+  vtkNexradVolumeToImage(vtkNexradImageToVolume(data), values);
+  return values;
+}
 
 vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(MapperChoice choice, bool preIntegration)
 {
@@ -192,27 +233,18 @@ void ShadeSurfaces(vtkVolumeProperty* property, bool surfaces, bool shadows)
   property->SetDiffuse(material.diffuse);
 }
 
-void DrawSurfaces(vtkVolumeMapper* mapper, bool surfaces)
+void SetLight(vtkVolumeMapper* mapper, const LightOptions& light, bool surfaces)
 {
   mapper->SetBlendMode(
     surfaces ? vtkVolumeMapper::ISOSURFACE_BLEND : vtkVolumeMapper::COMPOSITE_BLEND);
   if (auto* slicer = vtkOpenGLTextureSliceVolumeMapper::SafeDownCast(mapper))
   {
     slicer->SetSmoothGradient(surfaces);
-  }
-}
-
-void SetLight(vtkVolumeMapper* mapper, const LightOptions& light)
-{
-  if (auto* slicer = vtkOpenGLTextureSliceVolumeMapper::SafeDownCast(mapper))
-  {
     const double azimuth = vtkMath::RadiansFromDegrees(light.direction.azimuth);
     const double elevation = vtkMath::RadiansFromDegrees(light.direction.elevation);
     slicer->SetShadowStrength(light.shadow);
     slicer->SetOcclusionStrength(light.occlusion);
-    slicer->SetShadowDensity(slicer->GetBlendMode() == vtkVolumeMapper::ISOSURFACE_BLEND
-                               ? shadowDensityOfSurfaces
-                               : shadowDensity);
+    slicer->SetShadowDensity(surfaces ? shadowDensityOfSurfaces : shadowDensity);
     slicer->SetExposure(exposure);
     slicer->SetLightDirection(std::sin(azimuth) * std::cos(elevation),
       std::cos(azimuth) * std::cos(elevation), std::sin(elevation));
@@ -224,6 +256,18 @@ vtkImageData* UpdateLight(vtkVolumeMapper* mapper, vtkRenderer* renderer, vtkVol
   auto* slicer = vtkOpenGLTextureSliceVolumeMapper::SafeDownCast(mapper);
   return slicer != nullptr && slicer->UpdateLight(renderer, volume) ? slicer->GetLightVolume()
                                                                     : nullptr;
+}
+
+std::vector<IsoValue> IsoValuesOf(vtkNexradTransferFunction* transferFunction)
+{
+  std::vector<IsoValue> isoValues;
+  for (int i = 0; i < transferFunction->GetNumberOfIsoValues(); ++i)
+  {
+    const double value = transferFunction->GetIsoValue(i);
+    isoValues.push_back(
+      {value, transferFunction->Evaluate(vtkNexradTransferFunction::OPACITY, value)});
+  }
+  return isoValues;
 }
 
 std::vector<IsoValue> WithOpacities(std::vector<IsoValue> isoValues)
@@ -260,50 +304,34 @@ namespace
 
 constexpr int opacity = vtkNexradTransferFunction::OPACITY;
 
-// The colour map of a file. Opacities that it does not set are `usual`.
-vtkSmartPointer<vtkNexradTransferFunction> ReadOver(const std::filesystem::path& path, double usual)
-{
-  constexpr double wide = 1e6; // beyond the values of any moment
-  auto read = vtkSmartPointer<vtkNexradTransferFunction>::New();
-  vtkNexradMessages messages;
-  messages.Watch(read);
-  read->RemoveAllNodes(opacity);
-  read->AddNode(opacity, -wide, usual);
-  read->AddNode(opacity, wide, usual);
-  read->ReadFile(path.c_str());
-  messages.ThrowFirstError();
-  return read;
-}
-
 // Takes the opacities of a file, and its iso-values if it has any; the colours stay.
 void TakeOpacities(const std::filesystem::path& path, vtkNexradTransferFunction* function)
 {
-  const auto read = ReadOver(path, 0.25);
-  const auto other = ReadOver(path, 0.75);
-  double node[2];
-  for (int i = 0; read->GetNode(opacity, i, node); ++i)
+  vtkNexradColorMap read;
+  const std::string problem = vtkNexradReadColorMap(path, read);
+  if (!problem.empty())
   {
-    if (other->Evaluate(opacity, node[0]) != node[1])
-    {
-      throw Error(path.string() + ": has no opacities; name a file that has some, such as one that "
-                                  "the window saved as .json");
-    }
+    throw Error(path.string() + ": " + problem);
+  }
+  if (read.Channels[opacity].empty())
+  {
+    throw Error(path.string() + ": has no opacities; name a file that has some, such as one that "
+                                "the window saved as .json");
   }
   function->RemoveAllNodes(opacity);
-  for (int i = 0; read->GetNode(opacity, i, node); ++i)
+  for (const auto& [place, value] : read.Channels[opacity])
   {
-    function->AddNode(opacity, node[0], node[1]);
+    function->AddNode(opacity, place, value);
   }
-  function->SetLinear(opacity, read->IsLinear(opacity));
+  function->SetLinear(opacity, read.Linear[opacity]);
   std::vector<IsoValue> isoValues;
-  for (int i = 0; i < read->GetNumberOfIsoValues(); ++i)
+  for (const double value : read.IsoValues)
   {
-    const double value = read->GetIsoValue(i);
-    isoValues.push_back({value, read->Evaluate(opacity, value)});
+    isoValues.push_back({value, function->Evaluate(opacity, value)});
   }
   if (!isoValues.empty())
   {
-    SetIsoValues(isoValues, function);
+    SetIsoValues(std::move(isoValues), function);
   }
 }
 
@@ -425,11 +453,14 @@ std::vector<std::string> LinesPassedOver(const SceneOptions& options)
   {
     if (!path.empty() && (lines.empty() || path != options.colours))
     {
-      vtkNew<vtkNexradTransferFunction> read;
-      vtkNexradMessages messages;
-      messages.Watch(read);
-      read->ReadFile(path.c_str());
-      lines.insert(lines.end(), messages.Warnings().begin(), messages.Warnings().end());
+      vtkNexradColorMap read;
+      if (vtkNexradReadColorMap(path, read).empty())
+      {
+        for (const std::string& line : read.PassedOver)
+        {
+          lines.push_back(path.string() + ": passed over: " + line);
+        }
+      }
     }
   }
   return lines;

@@ -20,6 +20,16 @@ class vtkVolumeProperty;
 namespace nexrad::scene
 {
 
+/// Voxels of a volume, as "128x128x64".
+std::string SizeText(vtkImageData* volume);
+
+/// Throws Error for a volume without voxels, and, unless it is drawn as a map, for one of a single
+/// layer: that has no thickness, and VTK draws nothing of it.
+void RequireVoxels(vtkImageData* data, const SceneOptions& options);
+
+/// The volume, with values in place of codes unless slices of one moment draw it.
+vtkSmartPointer<vtkImageData> AsDrawn(vtkImageData* data, const SceneOptions& options);
+
 /// A mapper of that kind; pre-integration is of the slices alone.
 vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(MapperChoice choice, bool preIntegration);
 
@@ -48,13 +58,10 @@ void SetPixelSize(vtkVolumeMapper* mapper, double pixelsOfVoxel);
 /// Lights the surfaces of a property, or none of it. `shadows`: whether what is drawn has any.
 void ShadeSurfaces(vtkVolumeProperty* property, bool surfaces, bool shadows);
 
-/// Draws the surfaces of the property's iso-values, or the volume. The slices light surfaces by
-/// smoothed gradients: the echo of a gate is noisy.
-void DrawSurfaces(vtkVolumeMapper* mapper, bool surfaces);
-
-/// Sets shadows and ambient occlusion, of surfaces where DrawSurfaces asked for them. VTK's ray
-/// caster has none of these.
-void SetLight(vtkVolumeMapper* mapper, const LightOptions& light);
+/// Draws the surfaces of the property's iso-values, or the volume, with shadows and ambient
+/// occlusion, which VTK's ray caster does not have. The slices light surfaces by smoothed
+/// gradients: the echo of a gate is noisy.
+void SetLight(vtkVolumeMapper* mapper, const LightOptions& light, bool surfaces);
 
 /// Brings the light up to date before the frame is drawn. How much of it arrives, as
 /// vtkOpenGLTextureSliceVolumeMapper::GetLightVolume has it; nullptr: there are no shadows.
@@ -66,6 +73,9 @@ vtkImageData* UpdateLight(vtkVolumeMapper* mapper, vtkRenderer* renderer, vtkVol
 /// another moment, and a file that is no colour map.
 vtkSmartPointer<vtkNexradTransferFunction> MakeTransferFunction(
   const SceneOptions& options, const std::string& array = "REF");
+
+/// The iso-values of a function, with their opacities.
+std::vector<IsoValue> IsoValuesOf(vtkNexradTransferFunction* transferFunction);
 
 /// The values in ascending order, each with an opacity: where none is given, from 0.35 for the
 /// lowest to 0.95 for the highest value.

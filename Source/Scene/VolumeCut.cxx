@@ -2,7 +2,6 @@
 #include "Scene/VolumeCut.h"
 
 #include "Scene/Frame/VolumeInformation.h"
-#include "Scene/Scales/ScaleLayer.h"
 #include "Scene/Shapes/Shapes.h"
 #include "nexrad/System/Error.h"
 

@@ -4,7 +4,7 @@
 #include "Scene/Frame/SceneFrame.h"
 #include "Scene/Shapes/Letters.h"
 #include "Scene/Shapes/Theme.h"
-#include "nexrad/Grid/PlaceUnit.h"
+#include "nexrad/Grid/GridSpecification.h"
 #include "nexrad/Model/Time.h"
 #include "nexrad/Products/VerticalSection.h"
 

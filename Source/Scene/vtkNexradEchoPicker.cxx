@@ -31,7 +31,6 @@ namespace
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-// The scene is up to date, and shows a volume.
 // The distance at which the ray meets the ground of the domain.
 std::optional<double> DistanceToGround(const SceneFrame& frame, const ViewRay& ray)
 {
@@ -45,6 +44,19 @@ std::optional<double> DistanceToGround(const SceneFrame& frame, const ViewRay& r
   const bool within =
     point[0] >= box[0] && point[0] <= box[1] && point[1] >= box[2] && point[1] <= box[3];
   return within ? distance : std::nullopt;
+}
+
+// The echo that a ray shows. Where the finer volume is drawn, its values count.
+std::optional<nexrad::scene::SeenEcho> FindEchoAlong(
+  vtkNexradVolumeScene* scene, const VoxelReader& whole, const ViewRay& ray)
+{
+  std::optional<VoxelReader> detail;
+  if (scene->GetDetail() != nullptr)
+  {
+    detail.emplace(scene->GetDetail());
+  }
+  return nexrad::scene::FindEcho(
+    whole, detail ? &*detail : nullptr, *scene->GetSceneFrame(), scene->GetTransferFunction(), ray);
 }
 
 int DigitsOfArray(const std::string& array)
@@ -61,12 +73,6 @@ std::string Fixed(double number, int digits)
 }
 
 } // namespace
-
-struct vtkNexradEchoPicker::Sight
-{
-  const SceneFrame& frame;
-  const ViewRay& ray;
-};
 
 vtkStandardNewMacro(vtkNexradEchoPicker);
 
@@ -141,7 +147,15 @@ int vtkNexradEchoPicker::Look(double x, double y, vtkRenderer* renderer, bool fo
   std::optional<double> distance;
   if (forEcho && !this->Scene->GetOptions().plan)
   {
-    distance = this->FindEchoAlong({frame, ray});
+    const VoxelReader voxels(this->Scene->GetVolume());
+    if (const auto echo = FindEchoAlong(this->Scene, voxels, ray))
+    {
+      distance = echo->distance;
+      this->Found = ECHO;
+      this->Value = echo->value;
+      this->ArrayName = voxels.Name();
+      this->Units = voxels.Unit();
+    }
   }
   if (!distance)
   {
@@ -163,28 +177,6 @@ int vtkNexradEchoPicker::Look(double x, double y, vtkRenderer* renderer, bool fo
     this->FindRadar();
   }
   return this->Found;
-}
-
-// Where the finer volume is drawn, its values count.
-std::optional<double> vtkNexradEchoPicker::FindEchoAlong(const Sight& sight)
-{
-  const VoxelReader whole(this->Scene->GetVolume());
-  std::optional<VoxelReader> detail;
-  if (this->Scene->GetDetail() != nullptr)
-  {
-    detail.emplace(this->Scene->GetDetail());
-  }
-  const auto echo = nexrad::scene::FindEcho(
-    whole, detail ? &*detail : nullptr, sight.frame, this->Scene->GetTransferFunction(), sight.ray);
-  if (!echo)
-  {
-    return std::nullopt;
-  }
-  this->Found = ECHO;
-  this->Value = echo->value;
-  this->ArrayName = whole.Name();
-  this->Units = whole.Unit();
-  return echo->distance;
 }
 
 void vtkNexradEchoPicker::FindRadar()

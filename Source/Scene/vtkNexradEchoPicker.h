@@ -26,8 +26,7 @@
 #include "vtkNexradSceneModule.h" // For export macro
 #include "vtkSmartPointer.h"      // For members
 
-#include <optional> // For results
-#include <string>   // For members
+#include <string> // For members
 
 class vtkNexradVolumeScene;
 
@@ -140,8 +139,6 @@ private:
   void operator=(const vtkNexradEchoPicker&) = delete;
 
   int Look(double x, double y, vtkRenderer* renderer, bool forEcho);
-  struct Sight;
-  std::optional<double> FindEchoAlong(const Sight& sight);
   void Forget();
   void FindRadar();
 

@@ -2,6 +2,7 @@
 #include "vtkNexradNavigator.h"
 
 #include "Scene/EchoSearch.h"
+#include "Scene/Frame/CameraView.h"
 #include "Scene/Frame/SceneFrame.h"
 #include "vtkNexradEchoPicker.h"
 #include "vtkNexradVolumeScene.h"
@@ -16,7 +17,7 @@
 #include <array>
 #include <cmath>
 
-using nexrad::scene::SceneFrame;
+using nexrad::scene::DepthBefore;
 using nexrad::scene::ScenePoint;
 using nexrad::scene::ViewRay;
 
@@ -26,23 +27,12 @@ namespace
 constexpr double leastZoom = 0.1;
 constexpr double mostZoom = 100.0;
 
-// How far a point lies before the camera.
-double DepthOf(vtkCamera* camera, const double point[3])
-{
-  double position[3];
-  double forward[3];
-  camera->GetPosition(position);
-  camera->GetDirectionOfProjection(forward);
-  const double way[3] = {point[0] - position[0], point[1] - position[1], point[2] - position[2]};
-  return vtkMath::Dot(way, forward);
-}
-
 // The point so far before the camera that a ray passes.
 ScenePoint AtDepth(vtkCamera* camera, const ViewRay& ray, double depth)
 {
   double forward[3];
   camera->GetDirectionOfProjection(forward);
-  const double first = DepthOf(camera, ray.origin.data());
+  const double first = DepthBefore(camera, ray.origin.data());
   return ray.At((depth - first) / vtkMath::Dot(ray.direction.data(), forward));
 }
 
@@ -99,7 +89,7 @@ void vtkNexradNavigator::FindPoint(double x, double y, double point[3])
   const std::array<double, 6> box = this->Scene->GetSceneFrame()->Framed();
   const double middle[3] = {
     (box[0] + box[1]) / 2.0, (box[2] + box[3]) / 2.0, (box[4] + box[5]) / 2.0};
-  const ScenePoint found = AtDepth(camera, RayAt(renderer, x, y), DepthOf(camera, middle));
+  const ScenePoint found = AtDepth(camera, RayAt(renderer, x, y), DepthBefore(camera, middle));
   std::copy(found.begin(), found.end(), point);
 }
 
@@ -109,7 +99,7 @@ void vtkNexradNavigator::KeepAt(const double point[3], double x, double y)
   this->Scene->Update();
   vtkRenderer* renderer = this->Scene->GetRenderer();
   vtkCamera* camera = renderer->GetActiveCamera();
-  const ScenePoint there = AtDepth(camera, RayAt(renderer, x, y), DepthOf(camera, point));
+  const ScenePoint there = AtDepth(camera, RayAt(renderer, x, y), DepthBefore(camera, point));
   ScenePoint middle{};
   camera->GetFocalPoint(middle.data());
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -177,21 +167,11 @@ int vtkNexradNavigator::CentreOn(double x, double y)
   return found;
 }
 
-// Half the height of what the picture shows at the distance of a point, in scene units.
-double vtkNexradNavigator::SizeAt(const double point[3]) const
-{
-  vtkCamera* camera = this->Scene->GetRenderer()->GetActiveCamera();
-  return camera->GetParallelProjection() != 0
-           ? camera->GetParallelScale()
-           : DepthOf(camera, point) *
-               std::tan(vtkMath::RadiansFromDegrees(camera->GetViewAngle()) / 2.0);
-}
-
 // Changes the magnification until the picture shows so much at the distance of a point.
 void vtkNexradNavigator::SetSizeAt(const double point[3], double size)
 {
   vtkCamera* camera = this->Scene->GetRenderer()->GetActiveCamera();
-  const double angle = 2.0 * std::atan(size / DepthOf(camera, point));
+  const double angle = 2.0 * std::atan(size / DepthBefore(camera, point));
   const double change = camera->GetParallelProjection() != 0
                           ? camera->GetParallelScale() / size
                           : camera->GetViewAngle() / vtkMath::DegreesFromRadians(angle);
@@ -228,7 +208,8 @@ void vtkNexradNavigator::Turn(double azimuth, double tilt)
   }
   double pivot[3];
   const bool near = this->FindPivot(pivot);
-  const double size = near ? this->SizeAt(pivot) : 0.0;
+  const double size =
+    near ? nexrad::scene::HalfHeightAt(this->Scene->GetRenderer()->GetActiveCamera(), pivot) : 0.0;
   this->Scene->SetAzimuth(std::fmod(this->Scene->GetAzimuth() + azimuth + 360.0, 360.0));
   this->Scene->SetTilt(this->Scene->GetTilt() + tilt);
   if (near && this->Scene->Update())

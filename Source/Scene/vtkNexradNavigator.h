@@ -78,7 +78,6 @@ private:
   bool IsReady();
   void FindPoint(double x, double y, double point[3]);
   void KeepAt(const double point[3], double x, double y);
-  double SizeAt(const double point[3]) const;
   void SetSizeAt(const double point[3], double size);
   bool FindPivot(double point[3]);
   void SetZoom(double zoom);

@@ -44,13 +44,6 @@ struct vtkNexradSession::Opened
 namespace
 {
 
-std::vector<std::size_t> AllSteps(const VolumeSeries& volumes)
-{
-  std::vector<std::size_t> steps(volumes.Times().size());
-  std::iota(steps.begin(), steps.end(), std::size_t(0));
-  return steps;
-}
-
 bool AreFramedAlike(const SceneOptions& a, const SceneOptions& b)
 {
   return a.preset == b.preset && a.framing == b.framing &&
@@ -120,7 +113,9 @@ void vtkNexradSession::Open()
   this->Series->volumes = nexrad::AreVolumes(paths)
                             ? nexrad::OpenVolumeFiles(paths)
                             : nexrad::OpenRadarFiles(paths, this->DayReader->MakeDayOptions());
-  this->Series->steps = AllSteps(*this->Series->volumes);
+  std::vector<std::size_t>& steps = this->Series->steps;
+  steps.resize(this->Series->volumes->Times().size());
+  std::iota(steps.begin(), steps.end(), std::size_t(0));
 }
 
 void vtkNexradSession::SetSeries(std::unique_ptr<VolumeSeries> series,

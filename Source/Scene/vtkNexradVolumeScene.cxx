@@ -234,11 +234,7 @@ vtkRenderer* vtkNexradVolumeScene::GetRenderer() const
 
 void vtkNexradVolumeScene::SetVolume(vtkImageData* volume)
 {
-  if (volume != this->Wanted->volume)
-  {
-    this->Wanted->volume = volume;
-    this->Modified();
-  }
+  this->Set(this->Wanted->volume, volume);
 }
 
 vtkImageData* vtkNexradVolumeScene::GetVolume() const
@@ -248,11 +244,7 @@ vtkImageData* vtkNexradVolumeScene::GetVolume() const
 
 void vtkNexradVolumeScene::SetDetail(vtkImageData* detail)
 {
-  if (detail != this->Wanted->detail)
-  {
-    this->Wanted->detail = detail;
-    this->Modified();
-  }
+  this->Set(this->Wanted->detail, detail);
 }
 
 vtkImageData* vtkNexradVolumeScene::GetDetail() const

@@ -2,7 +2,6 @@
 #include "StormVolume.h"
 
 #include "nexrad/Codec/NxvFile.h"
-#include "nexrad/Grid/VolumeMoments.h"
 #include "vtkNexradImageConversion.h"
 
 #include <algorithm>

@@ -11,7 +11,6 @@
 #include "nexrad/Grid/GriddedVolume.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradTransferFunction.h"
-#include "vtkNexradVolumeFile.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -88,9 +87,9 @@ TEST(DataAge, IsTheSameOfCodes)
   const std::string path = folder.Path() / "a.nxv";
   WriteNxv(path, MakeAgedStorm());
   vtkNew<vtkImageData> values;
-  vtkNexradReadVolumeFile({path, {}, {}, false}, values);
+  vtkNexradReadVolumeFile(path, {}, false, values);
   vtkNew<vtkImageData> codes;
-  vtkNexradReadVolumeFile({path, {}, {}, true}, codes);
+  vtkNexradReadVolumeFile(path, {}, true, codes);
   ASSERT_FALSE(codes->GetPointData()->HasArray("REF_state"));
   const auto ages = AgesOfData(codes, "REF", 2);
   ASSERT_EQ(ages.size(), 2U);
@@ -161,12 +160,10 @@ std::string SaidOf(const GriddedVolume& volume, const std::string& preset,
 {
   SceneOptions options;
   options.preset = preset;
-  const std::string array = ToString(volume.moment);
-  const auto look = MakeTransferFunction(options, array);
+  const auto look = MakeTransferFunction(options, ToString(volume.moment));
   vtkNew<vtkImageData> image;
   vtkNexradVolumeToImage(volume, image);
-  return WordsForNothing(FindEchoShown(image, box, OpacitiesOf(look)), array, LeastShown(look),
-    biological, PresetWords::Option);
+  return WordsForNothing(image, box, look, biological, true);
 }
 
 } // namespace
@@ -217,8 +214,7 @@ std::string SaidOfMap(const GriddedVolume& volume, PlanLevel level = PlanLevel::
   vtkNexradVolumeToImage(volume, image);
   const PlanView view = MakePlanView(SourceOf(image), plan);
   const ColourScale scale = ScaleFor(view, plan, volume.sites, ScaleOf(array, look));
-  return WordsForMap(
-    view, plan, scale, image, static_cast<double>(volume.biologicalShare), PresetWords::Option);
+  return WordsForMap(view, plan, scale, image, static_cast<double>(volume.biologicalShare), true);
 }
 
 } // namespace
@@ -294,7 +290,7 @@ TEST(Captions, SayWhereAVolumeEnds)
   const std::string path = folder.Path() / "a.nxv";
   WriteNxv(path, volume);
   vtkNew<vtkImageData> image;
-  vtkNexradReadVolumeFile({path, {}, {}, false}, image);
+  vtkNexradReadVolumeFile(path, {}, false, image);
   CaptionTexts texts = MakeTexts(false);
   texts.information = ReadVolumeInformation(image);
   EXPECT_EQ(SiteWords(texts),
@@ -310,11 +306,11 @@ TEST(Captions, LearnOfFilesThatMostEchoIsBiological)
   volume.biologicalShare = 0.877F;
   WriteNxv(path, volume);
   vtkNew<vtkImageData> image;
-  vtkNexradReadVolumeFile({path, {}, {}, false}, image);
+  vtkNexradReadVolumeFile(path, {}, false, image);
   EXPECT_WITHIN(
     ReadVolumeInformation(image).biologicalShare, 0.877, 1e-4, "biological share of a file");
   WriteNxv(path, nexrad::testing::MakeStorm(false));
-  vtkNexradReadVolumeFile({path, {}, {}, false}, image);
+  vtkNexradReadVolumeFile(path, {}, false, image);
   EXPECT_EQ(ReadVolumeInformation(image).biologicalShare, 0.0);
 }
 

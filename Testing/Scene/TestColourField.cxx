@@ -4,7 +4,7 @@
 #include "StormVolume.h"
 #include "TestData.h"
 #include "Tolerance.h"
-#include "nexrad/Grid/VolumeMoments.h"
+#include "nexrad/Grid/GriddedVolume.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradMessages.h"
 #include "vtkNexradTransferFunction.h"

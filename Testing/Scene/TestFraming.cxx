@@ -8,9 +8,14 @@
 #include "StormVolume.h"
 #include "Tolerance.h"
 
+#include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkCell.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
 #include <vtkProp.h>
 
 #include <gtest/gtest.h>
@@ -31,6 +36,23 @@ namespace
 {
 
 const Theme& darkTheme = ThemeOf(ThemeChoice::Dark);
+
+std::vector<std::vector<ScenePoint>> PolylinesOf(vtkProp* prop)
+{
+  vtkPolyData* lines =
+    vtkPolyDataMapper::SafeDownCast(vtkActor::SafeDownCast(prop)->GetMapper())->GetInput();
+  std::vector<std::vector<ScenePoint>> polylines(
+    static_cast<std::size_t>(lines->GetNumberOfCells()));
+  for (std::size_t i = 0; i < polylines.size(); ++i)
+  {
+    vtkPoints* points = lines->GetCell(static_cast<vtkIdType>(i))->GetPoints();
+    for (vtkIdType k = 0; k < points->GetNumberOfPoints(); ++k)
+    {
+      points->GetPoint(k, polylines[i].emplace_back().data());
+    }
+  }
+  return polylines;
+}
 
 struct PictureExtent
 {
@@ -291,11 +313,15 @@ TEST(TextPicture, HasTwoFaces)
 TEST(HeightWalls, StandAtRoundHeightsFarFromTheCamera)
 {
   const SceneFrame frame(MakeStormVolume(false), 8.0); // 0 to 20 km
-  EXPECT_EQ(RoundHeights(frame), (std::vector<double>{0.0, 5.0, 10.0, 15.0, 20.0}));
   const auto& box = frame.Bounds();
   // From the south-south-west: the far walls are those in the north and in the east.
-  const CameraView view = {200.0, 35.0, 1.0, false};
-  const auto lines = MakeHeightLines(frame, view)->Polylines();
+  const ScaleLayer layer = MakeScaleLayer(frame, {200.0, 35.0, 1.0, false}, true, 16, darkTheme);
+  ASSERT_GE(layer.labels.size(), 5U);
+  for (std::size_t i = 0; i < 5; ++i)
+  {
+    EXPECT_EQ(layer.labels[i].text, (std::array{"0", "5", "10", "15", "20 km"})[i]);
+  }
+  const auto lines = PolylinesOf(layer.props[1]);
   ASSERT_EQ(lines.size(), 3U) << "not along the edges";
   for (std::size_t i = 0; i < lines.size(); ++i)
   {
@@ -306,11 +332,14 @@ TEST(HeightWalls, StandAtRoundHeightsFarFromTheCamera)
       EXPECT_TRUE(point[0] == box[1] || point[1] == box[3]);
     }
   }
-  EXPECT_EQ(MakeEdges(frame, view, true)->Polylines().size(), 9U);
-  EXPECT_EQ(MakeEdges(frame, view, false)->Polylines().size(), 12U);
-  for (const auto& edge : MakeEdges(frame, view, true)->Polylines())
+  const auto edges = PolylinesOf(layer.props[0]);
+  EXPECT_EQ(edges.size(), 9U);
+  for (const auto& edge : edges)
   {
     const ScenePoint nearest = {box[0], box[2], box[5]};
     EXPECT_TRUE(edge[0] != nearest && edge[1] != nearest);
   }
+  const ScaleLayer fromAbove =
+    MakeScaleLayer(frame, {200.0, 80.0, 1.0, false}, true, 16, darkTheme);
+  EXPECT_EQ(PolylinesOf(fromAbove.props[0]).size(), 12U);
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Frame/PictureLayout.h"
-#include "Scene/Map/Elevations.h"
 #include "Scene/Map/GroundPicture.h"
-#include "Scene/Map/GroundShadow.h"
 #include "Scene/Map/MapData.h"
 #include "Scene/Map/MapLayer.h"
 #include "Scene/Map/PlacedMap.h"
@@ -171,8 +169,8 @@ TEST(MapAreas, LaterOnesLieOverEarlierOnes)
   const SceneFrame frame = FrameAt(-97.0, 35.0);
   const auto square = [](bool land, double reach)
   {
-    return MapArea{land, {{-97.0 - reach, 35.0 - reach}, {-97.0 + reach, 35.0 - reach},
-                           {-97.0 + reach, 35.0 + reach}, {-97.0 - reach, 35.0 + reach}}};
+    return MapPolyline{land, {{-97.0 - reach, 35.0 - reach}, {-97.0 + reach, 35.0 - reach},
+                               {-97.0 + reach, 35.0 + reach}, {-97.0 - reach, 35.0 + reach}}};
   };
   const auto land =
     PaintLand(frame, {square(true, 1.0), square(false, 0.5), square(true, 40.0)}, 40, 20);

@@ -16,7 +16,7 @@ using namespace nexrad::scene;
 namespace
 {
 
-std::vector<MapLine> ParseLines(const std::string& bytes)
+std::vector<MapPolyline> ParseLines(const std::string& bytes)
 {
   return ParseMapLines(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
 }
@@ -37,12 +37,12 @@ bool Passes(MapLineKind kind, double longitude, double latitude, double within)
 {
   const auto& lines = EmbeddedMapLines();
   return std::any_of(lines.begin(), lines.end(),
-    [&](const MapLine& line)
+    [&](const MapPolyline& line)
     {
-      return line.kind == kind && std::any_of(line.points.begin(), line.points.end(),
-                                    [&](const auto& point) {
-                                      return DistanceDegrees(point, longitude, latitude) < within;
-                                    });
+      return line.kind == static_cast<std::uint8_t>(kind) &&
+             std::any_of(line.points.begin(), line.points.end(),
+               [&](const auto& point)
+               { return DistanceDegrees(point, longitude, latitude) < within; });
     });
 }
 
@@ -52,7 +52,7 @@ TEST(MapLines, ReadsALineWorkedOutByHand)
 {
   const auto lines = ParseLines(oneLine);
   ASSERT_EQ(lines.size(), 1U);
-  EXPECT_EQ(lines[0].kind, MapLineKind::State);
+  EXPECT_EQ(lines[0].kind, static_cast<std::uint8_t>(MapLineKind::State));
   ASSERT_EQ(lines[0].points.size(), 2U);
   EXPECT_NEAR(lines[0].points[0][0], -90.25, 1e-12);
   EXPECT_NEAR(lines[0].points[0][1], 38.50, 1e-12);

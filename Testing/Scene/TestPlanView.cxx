@@ -9,8 +9,8 @@
 #include "TestData.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/System/Error.h"
+#include "vtkNexradImageConversion.h"
 #include "vtkNexradTransferFunction.h"
-#include "vtkNexradVolumeFile.h"
 
 #include <vtkImageActor.h>
 #include <vtkImageData.h>
@@ -54,6 +54,14 @@ GriddedVolume FiveColumns()
   volume.ancillary.radars = {0, 1, 1, 0, 0, 2, 1, 1, 0, 0, 1, 1, 0, 0, 0};
   volume.ancillary.nearestSite = {255, 0, 0, 255, 255, 1, 0, 0, 255, 255, 0, 0, 255, 255, 255};
   return volume;
+}
+
+PlanSource SourceOf(const GriddedVolume& volume)
+{
+  const AncillaryArrays& arrays = volume.ancillary;
+  const auto valuesOf = [](const auto& values) { return values.empty() ? nullptr : values.data(); };
+  return {LinesOf(volume), valuesOf(arrays.age), valuesOf(arrays.radars), valuesOf(arrays.weight),
+    valuesOf(arrays.nearestSite), volume.sharpened};
 }
 
 PlanView View(PlanLevel level, const std::string& array = "", double height = 0.0)
@@ -305,9 +313,9 @@ TEST(PlanView, AVolumeOfCodesHasTheMapsOfItsValues)
   const GriddedVolume storm = MakeStorm(true);
   WriteNxv(folder.Path() / "storm.nxv", storm);
   vtkNew<vtkImageData> codes;
-  vtkNexradReadVolumeFile({folder.Path() / "storm.nxv", {}, {}, true, 0}, codes);
+  vtkNexradReadVolumeFile(folder.Path() / "storm.nxv", {}, true, codes);
   vtkNew<vtkImageData> values;
-  vtkNexradReadVolumeFile({folder.Path() / "storm.nxv", {}, {}, false, 0}, values);
+  vtkNexradReadVolumeFile(folder.Path() / "storm.nxv", {}, false, values);
   ASSERT_NE(vtkUnsignedCharArray::SafeDownCast(codes->GetPointData()->GetScalars()), nullptr);
   const GriddedVolume read = ReadNxv(folder.Path() / "storm.nxv");
   for (const PlanLevel level : {PlanLevel::Composite, PlanLevel::Lowest, PlanLevel::Height,

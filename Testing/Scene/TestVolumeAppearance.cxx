@@ -86,7 +86,7 @@ TEST(VolumeAppearance, RampsOfATableAreRampsOfTheScale)
                                     "SolidColor: 5 0 0 255\nRF: 255 0 255\nhello\n";
   const auto look = MakeTransferFunction(options);
   const ColourScale scale = ScaleOf("REF", look);
-  EXPECT_TRUE(HasRamps(scale.bins));
+  EXPECT_TRUE(scale.bins[1].ramp);
   EXPECT_FALSE(ColourAt(scale, 4.9));
   EXPECT_EQ(ColourAt(scale, 19.9), (Colour{0.0, 0.0, 1.0}));
   EXPECT_EQ(ColourAt(scale, 20.0), (Colour{0.0, 1.0, 0.0}));
@@ -95,7 +95,10 @@ TEST(VolumeAppearance, RampsOfATableAreRampsOfTheScale)
   EXPECT_NEAR((*ColourAt(scale, 99.0))[1], 128.0 / 255.0, 1e-12) << "above the last";
   EXPECT_EQ(scale.rangeFolded, (Colour{1.0, 0.0, 1.0}));
   const ColourScale flat = WithoutRamps(scale);
-  EXPECT_FALSE(HasRamps(flat.bins));
+  for (const ColourBin& bin : flat.bins)
+  {
+    EXPECT_FALSE(bin.ramp);
+  }
   EXPECT_NEAR((*ColourAt(flat, 30.1))[1], 191.5 / 255.0, 0.01);
   EXPECT_EQ(ColourAt(flat, 6.0), (Colour{0.0, 0.0, 1.0}));
   const std::vector<std::string> lines = LinesPassedOver(options);

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapBuilder.h"
 
-#include "Scene/Map/MapLayer.h"
-#include "Scene/SceneOptions.h"
-#include "Scene/Shapes/Theme.h"
 #include "nexrad/Geometry/Angles.h"
-#include "vtkNexradMap.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -18,30 +14,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 using nexrad::scene::GroundLine;
 
 namespace
 {
 
-const nexrad::scene::Colour& SceneColor(int kind, const nexrad::scene::Theme& theme)
+void Paint(int kind, const nexrad::scene::Colour& color, vtkUnsignedCharArray* colors,
+  vtkUnsignedCharArray* kinds)
 {
-  switch (kind)
-  {
-  case vtkNexradMap::RING:
-    return theme.ring;
-  case vtkNexradMap::RADAR:
-    return theme.marker;
-  case vtkNexradMap::TOWN:
-    return theme.placeName;
-  default:
-    return ColourOf(static_cast<nexrad::scene::MapLineKind>(kind), theme);
-  }
-}
-
-void Paint(int kind, vtkUnsignedCharArray* colors, vtkUnsignedCharArray* kinds)
-{
-  const auto& color = SceneColor(kind, ThemeOf(nexrad::scene::SceneOptions().theme));
   std::array<unsigned char, 3> bytes{};
   std::transform(color.begin(), color.end(), bytes.begin(),
     [](double part) { return static_cast<unsigned char>(std::lround(255.0 * part)); });
@@ -63,8 +45,10 @@ GroundLine DiscAt(const std::array<double, 2>& place, double radius)
 
 } // namespace
 
-MapBuilder::MapBuilder(const nexrad::scene::SceneFrame& theFrame, vtkPolyData* theOutput)
+MapBuilder::MapBuilder(
+  const nexrad::scene::SceneFrame& theFrame, ColourOfKind theColours, vtkPolyData* theOutput)
   : frame(theFrame)
+  , colours(std::move(theColours))
   , output(theOutput)
 {
   points->SetDataTypeToDouble();
@@ -83,7 +67,7 @@ std::array<double, 4> MapBuilder::Rectangle() const
 void MapBuilder::AddLine(const GroundLine& line, int kind)
 {
   this->InsertCell(lines, line);
-  Paint(kind, lineColors, lineKinds);
+  Paint(kind, colours(kind), lineColors, lineKinds);
 }
 
 void MapBuilder::AddClipped(const GroundLine& line, int kind)
@@ -97,7 +81,7 @@ void MapBuilder::AddClipped(const GroundLine& line, int kind)
 void MapBuilder::AddPolygon(const GroundLine& corners, int kind)
 {
   this->InsertCell(polygons, corners);
-  Paint(kind, polygonColors, polygonKinds);
+  Paint(kind, colours(kind), polygonColors, polygonKinds);
 }
 
 // Polygons come after lines among the cells of polygonal data.

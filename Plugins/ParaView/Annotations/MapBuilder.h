@@ -2,10 +2,12 @@
 #pragma once
 
 #include "Scene/Map/PlacedMap.h"
+#include "Scene/Shapes/Theme.h"
 
 #include "vtkNew.h"
 
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,12 +16,15 @@ class vtkPoints;
 class vtkPolyData;
 class vtkUnsignedCharArray;
 
-/// Collects lines and polygons of the scene as those of the volume, each with the colour that the
-/// scene gives to its kind (vtkNexradMap::MapKindType).
+/// Collects lines and polygons of the scene as those of the volume, each with its kind and the
+/// colour of that kind.
 class MapBuilder
 {
 public:
-  MapBuilder(const nexrad::scene::SceneFrame& theFrame, vtkPolyData* theOutput);
+  using ColourOfKind = std::function<nexrad::scene::Colour(int)>;
+
+  MapBuilder(
+    const nexrad::scene::SceneFrame& theFrame, ColourOfKind theColours, vtkPolyData* theOutput);
   ~MapBuilder();
 
   const nexrad::scene::SceneFrame& Frame() const { return frame; }
@@ -38,6 +43,7 @@ private:
   void InsertCell(vtkCellArray* cells, const nexrad::scene::GroundLine& line);
 
   const nexrad::scene::SceneFrame& frame;
+  ColourOfKind colours;
   vtkPolyData* output;
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> lines;

@@ -4,7 +4,9 @@
 #include "MapBuilder.h"
 #include "Scene/Frame/VolumeInformation.h"
 #include "Scene/Map/MapData.h"
+#include "Scene/Map/MapLayer.h"
 #include "Scene/Map/PlacedMap.h"
+#include "Scene/SceneOptions.h"
 #include "WholeVolume.h"
 
 #include "vtkDataObject.h"
@@ -22,6 +24,22 @@ vtkStandardNewMacro(vtkNexradMap);
 
 namespace
 {
+
+nexrad::scene::Colour SceneColor(int kind)
+{
+  const nexrad::scene::Theme& theme = ThemeOf(nexrad::scene::SceneOptions().theme);
+  switch (kind)
+  {
+  case vtkNexradMap::RING:
+    return theme.ring;
+  case vtkNexradMap::RADAR:
+    return theme.marker;
+  case vtkNexradMap::TOWN:
+    return theme.placeName;
+  default:
+    return ColourOf(static_cast<nexrad::scene::MapLineKind>(kind), theme);
+  }
+}
 
 // The largest towns, as the scene writes them: small letters with much room about them.
 void AddTowns(MapBuilder& builder, NameWriter& names, double letters)
@@ -69,7 +87,7 @@ int vtkNexradMap::RequestData(
   }
   const auto volume = DescribeWhole(input[0]->GetInformationObject(0));
   const nexrad::scene::SceneFrame frame(volume, 1.0);
-  MapBuilder builder(frame, map);
+  MapBuilder builder(frame, SceneColor, map);
   this->AddLines(builder);
   this->AddNames(builder, volume);
   builder.Finish();

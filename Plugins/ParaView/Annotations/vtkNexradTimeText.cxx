@@ -62,8 +62,8 @@ std::string WordsFor(vtkImageData* volume)
     return "";
   }
   const auto usual = MakeTransferFunction(SceneOptions(), ArrayOf(volume));
-  return WordsForNothing(FindEchoShown(volume, std::nullopt, OpacitiesOf(usual)), ArrayOf(volume),
-    LeastShown(usual), ReadVolumeInformation(volume).biologicalShare, PresetWords::Setting);
+  return WordsForNothing(
+    volume, std::nullopt, usual, ReadVolumeInformation(volume).biologicalShare, false);
 }
 
 } // namespace

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Scene/Frame/SceneFrame.h"
-#include "Scene/Map/GroundShadow.h"
+#include "Scene/Map/GroundPicture.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"

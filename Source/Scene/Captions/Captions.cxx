@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 
 namespace nexrad::scene
 {
@@ -21,11 +22,7 @@ using Histogram = std::array<vtkIdType, bins>;
 
 std::optional<double> MedianMinutes(const Histogram& histogram)
 {
-  vtkIdType count = 0;
-  for (const vtkIdType voxels : histogram)
-  {
-    count += voxels;
-  }
+  const vtkIdType count = std::accumulate(histogram.begin(), histogram.end(), vtkIdType(0));
   vtkIdType below = 0;
   for (std::size_t bin = 0; bin < bins; ++bin)
   {
@@ -133,18 +130,10 @@ public:
   {
   }
 
-  PixelBox BoxOf(const std::string& text, const TextStyle& style,
-    const std::array<double, 2>& point, LabelSide side) const
-  {
-    return pictures.Get(text, style).BoxAt(point, side, 0.0);
-  }
-
   PixelBox Add(const std::string& text, const TextStyle& style, const std::array<double, 2>& point,
     LabelSide side)
   {
-    const PixelBox box = this->BoxOf(text, style, point, side);
-    layer.props.push_back(
-      pictures.Get(text, style).MakeCaption({point[0] / size[0], point[1] / size[1]}, side));
+    const PixelBox box = this->Put(text, style, point, side);
     PixelBox taken = box;
     const double eighth = size[0] / 8.0;
     const bool centred = side == LabelSide::Below;
@@ -166,16 +155,20 @@ public:
       lines += (lines.empty() ? "" : "\n") + Wrap(WordsOf(part), 0.8 * right, style, pictures);
       begin = end + 2;
     }
-    const std::array<double, 2> middle = {0.5 * right, 0.6 * size[1]};
-    layer.props.push_back(
-      pictures.Get(lines, style)
-        .MakeCaption({middle[0] / size[0], middle[1] / size[1]}, LabelSide::Below));
-    layer.overScene = this->BoxOf(lines, style, middle, LabelSide::Below);
+    layer.overScene = this->Put(lines, style, {0.5 * right, 0.6 * size[1]}, LabelSide::Below);
   }
 
   CaptionLayer layer;
 
 private:
+  PixelBox Put(const std::string& text, const TextStyle& style, const std::array<double, 2>& point,
+    LabelSide side)
+  {
+    const TextPicture& picture = pictures.Get(text, style);
+    layer.props.push_back(picture.MakeCaption({point[0] / size[0], point[1] / size[1]}, side));
+    return picture.BoxAt(point, side, 0.0);
+  }
+
   std::array<int, 2> size;
   TextPictures& pictures;
 };

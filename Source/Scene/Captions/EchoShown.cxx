@@ -2,7 +2,6 @@
 #include "Scene/Captions/EchoShown.h"
 
 #include "Scene/Frame/VolumeInformation.h"
-#include "Scene/Plan/PlanView.h"
 #include "nexrad/Model/Moment.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradTransferFunction.h"
@@ -12,8 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <sstream>
+#include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -21,6 +20,24 @@ namespace nexrad::scene
 {
 namespace
 {
+
+// What echo a volume or a map has, and whether a picture shows any of it.
+struct EchoShown
+{
+  // Takes note of a voxel, or of a column of a map. `opacityOf` says how opaque its value is
+  // drawn.
+  void Add(VoxelState state, double value, const std::function<double(double)>& opacityOf);
+
+  bool isKnown = true;   // false: the volume's array is no moment
+  bool enough = false;   // something is to be seen; then nothing further is counted
+  double shown = 0.0;    // sum of the opacities of the voxels
+  bool scanned = false;  // some voxel was measured, or is range folded
+  bool filtered = false; // quality control took echo out of some voxel
+  std::size_t echo = 0;  // voxels with a value
+  double lowest = 0.0;   // of their values, in the unit of the moment
+  double highest = 0.0;
+  double opacityOfHighest = 0.0; // of the value `highest`
+};
 
 // Which of a volume's voxels along an axis lie between two places: from the first to before the
 // second.
@@ -41,9 +58,7 @@ bool Shows(vtkNexradTransferFunction* look, double value)
 
 std::string Text(double value)
 {
-  std::ostringstream text;
-  text << std::round(10.0 * value) / 10.0 + 0.0;
-  return text.str();
+  return NumberWord(std::round(10.0 * value) / 10.0 + 0.0);
 }
 
 // The first preset of the array, in their order, that shows a value well, and clearly better than
@@ -66,9 +81,44 @@ const char* PresetThatShows(const std::string& array, double value, double opaci
   return nullptr;
 }
 
+// The sum of opacities from which something is to be seen, among columns seen from above: in
+// 256 × 256 of them fifteen voxels of 35 dBZ, or a hundred of the weakest rain.
+double EnoughShown(int width, int height)
+{
+  constexpr double ofColumn = 5e-5;
+  constexpr double least = 0.02; // a voxel of rain, where there are few
+  return std::max(least, ofColumn * width * height);
+}
+
+// The echo of a volume in words: "clear-air echo up to 3 dBZ".
+std::string EchoUpTo(const EchoShown& found, double biologicalShare)
+{
+  constexpr double weakest = 5.0; // dBZ: the weather service's colours begin there
+  const char* kind = biologicalShare > MostlyBiological ? "biological echo"
+                     : found.highest < weakest          ? "clear-air echo"
+                                                        : "echo";
+  return std::string(kind) + " up to " + Text(found.highest) + " " + UnitOf(MomentName::REF);
+}
+
+// What the values of an array are called.
+std::string WordFor(const std::string& array)
+{
+  return array == ToString(MomentName::REF) ? "echo" : array;
+}
+
+// What is said where no voxel has a value of that name.
+std::string WordsForNone(const EchoShown& found, const std::string& name)
+{
+  if (!found.scanned)
+  {
+    return "Nothing was scanned here";
+  }
+  return "No " + name + (found.filtered ? ": quality control took out all that there was" : "");
+}
+
 // What there is in place of what the look shows, and the preset that shows it.
 std::string WordsForTheRest(const EchoShown& found, const std::string& array,
-  const std::string& unit, double biologicalShare, PresetWords presets)
+  const std::string& unit, double biologicalShare, bool namesOptions)
 {
   std::string words =
     array == ToString(MomentName::REF)
@@ -77,13 +127,10 @@ std::string WordsForTheRest(const EchoShown& found, const std::string& array,
   const char* preset = PresetThatShows(array, found.highest, found.opacityOfHighest);
   if (preset != nullptr)
   {
-    words +=
-      std::string(presets == PresetWords::Option ? ": --preset \"" : ": preset \"") + preset + "\"";
+    words += std::string(namesOptions ? ": --preset \"" : ": preset \"") + preset + "\"";
   }
   return words;
 }
-
-} // namespace
 
 void EchoShown::Add(VoxelState state, double value, const std::function<double(double)>& opacityOf)
 {
@@ -104,29 +151,19 @@ void EchoShown::Add(VoxelState state, double value, const std::function<double(d
   shown += opacity;
 }
 
-// In 256 × 256 columns fifteen voxels of 35 dBZ, or a hundred of the weakest rain.
-double EnoughShown(int width, int height)
-{
-  constexpr double ofColumn = 5e-5;
-  constexpr double least = 0.02; // a voxel of rain, where there are few
-  return std::max(least, ofColumn * width * height);
-}
-
+// Looks through the voxels of a volume of values or of codes whose middles lie in a box: west,
+// east, south, north, bottom and top in the units of the volume; empty: in all. `opacityOf` says
+// how opaque a value is drawn, 0…1.
 EchoShown FindEchoShown(vtkImageData* volume, const std::optional<std::array<double, 6>>& box,
   const std::function<double(double)>& opacityOf)
 {
   EchoShown found;
-  found.isKnown = ParseMomentName(ArrayOf(volume)).has_value();
-  if (!found.isKnown)
-  {
-    return found;
-  }
   PlanSource source;
   try
   {
     source = SourceOf(volume);
   }
-  catch (const Error&) // a volume of values alone, without states
+  catch (const Error&) // no moment, or values alone without states
   {
     found.isKnown = false;
     return found;
@@ -161,6 +198,7 @@ EchoShown FindEchoShown(vtkImageData* volume, const std::optional<std::array<dou
   return found;
 }
 
+// The opacity of each value in a look.
 std::function<double(double)> OpacitiesOf(vtkNexradTransferFunction* look)
 {
   constexpr std::size_t last = 4095;
@@ -181,6 +219,7 @@ std::function<double(double)> OpacitiesOf(vtkNexradTransferFunction* look)
   };
 }
 
+// The value from which a look shows all that is above it; nothing where it shows other values.
 std::optional<double> LeastShown(vtkNexradTransferFunction* look)
 {
   constexpr int steps = 2000;
@@ -200,31 +239,9 @@ std::optional<double> LeastShown(vtkNexradTransferFunction* look)
   return alsoBelow ? std::nullopt : std::optional(range[0] + step * std::max(0, least - 1));
 }
 
-std::string EchoUpTo(const EchoShown& found, double biologicalShare)
-{
-  constexpr double weakest = 5.0; // dBZ: the weather service's colours begin there
-  const char* kind = biologicalShare > MostlyBiological ? "biological echo"
-                     : found.highest < weakest          ? "clear-air echo"
-                                                        : "echo";
-  return std::string(kind) + " up to " + Text(found.highest) + " " + UnitOf(MomentName::REF);
-}
-
-std::string WordFor(const std::string& array)
-{
-  return array == ToString(MomentName::REF) ? "echo" : array;
-}
-
-std::string WordsForNone(const EchoShown& found, const std::string& name)
-{
-  if (!found.scanned)
-  {
-    return "Nothing was scanned here";
-  }
-  return "No " + name + (found.filtered ? ": quality control took out all that there was" : "");
-}
-
-std::string WordsForNothing(const EchoShown& found, const std::string& array,
-  const std::optional<double>& leastShown, double biologicalShare, PresetWords presets)
+// As WordsForNothing, of what was found.
+std::string WordsForFound(const EchoShown& found, const std::string& array,
+  const std::optional<double>& leastShown, double biologicalShare, bool namesOptions)
 {
   if (found.enough || !found.isKnown)
   {
@@ -238,20 +255,14 @@ std::string WordsForNothing(const EchoShown& found, const std::string& array,
   const std::string unit = UnitOf(*ParseMomentName(array));
   return (found.shown > 0.0 ? "Hardly any " : "No ") + what +
          (leastShown ? " above " + Text(*leastShown) + " " + unit : std::string(" is shown")) +
-         "; " + WordsForTheRest(found, array, unit, biologicalShare, presets);
+         "; " + WordsForTheRest(found, array, unit, biologicalShare, namesOptions);
 }
-
-namespace
-{
 
 // A value of a map, to two digits that count.
 std::string SmallText(double value)
 {
   constexpr double least = 0.01;
-  std::ostringstream text;
-  text.precision(2);
-  text << std::max(value, least);
-  return (value < least ? "less than " : "") + text.str();
+  return (value < least ? "less than " : "") + NumberWord(std::max(value, least), 2);
 }
 
 const char* NameOf(PlanLevel product)
@@ -281,10 +292,9 @@ std::string WhyNone(const PlanOptions& plan, vtkImageData* volume, double biolog
     return WordsForNone(all, "echo");
   }
   const std::string none = std::string("No ") + NameOf(plan.level);
-  std::ostringstream threshold;
-  threshold << plan.threshold;
-  return none + (all.highest < plan.threshold ? ": no echo of " + threshold.str() + " dBZ" : "") +
-         "; " + EchoUpTo(all, biologicalShare);
+  const bool below = all.highest < plan.threshold;
+  return none + (below ? ": no echo of " + NumberWord(plan.threshold) + " dBZ" : "") + "; " +
+         EchoUpTo(all, biologicalShare);
 }
 
 std::string WordsForProduct(const EchoShown& found, const PlanOptions& plan,
@@ -315,8 +325,7 @@ std::string WordsForOtherVoxels(PlanLevel level, vtkImageData* volume, double bi
                                     : " in the lowest voxels; " + what + " above them";
 }
 
-} // namespace
-
+// The values of a map's columns, and how many of them have a colour of its scale.
 EchoShown FindMapShown(const PlanView& view, const ColourScale& scale)
 {
   const auto opacityOf = [&](double value) { return ColourAt(scale, value) ? 1.0 : 0.0; };
@@ -331,8 +340,17 @@ EchoShown FindMapShown(const PlanView& view, const ColourScale& scale)
   return found;
 }
 
+} // namespace
+
+std::string WordsForNothing(vtkImageData* volume, const std::optional<std::array<double, 6>>& box,
+  vtkNexradTransferFunction* look, double biologicalShare, bool namesOptions)
+{
+  return WordsForFound(FindEchoShown(volume, box, OpacitiesOf(look)), ArrayOf(volume),
+    LeastShown(look), biologicalShare, namesOptions);
+}
+
 std::string WordsForMap(const PlanView& view, const PlanOptions& plan, const ColourScale& scale,
-  vtkImageData* volume, double biologicalShare, PresetWords presets)
+  vtkImageData* volume, double biologicalShare, bool namesOptions)
 {
   const EchoShown found = FindMapShown(view, scale);
   const std::string array = ArrayOf(volume);
@@ -357,7 +375,7 @@ std::string WordsForMap(const PlanView& view, const PlanOptions& plan, const Col
   const auto leastShown =
     scale.openBelow ? std::nullopt
                     : std::optional((scale.bins.front().from - scale.offset) / scale.factor);
-  return WordsForNothing(found, array, leastShown, biologicalShare, presets);
+  return WordsForFound(found, array, leastShown, biologicalShare, namesOptions);
 }
 
 } // namespace nexrad::scene

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace
 {
@@ -31,26 +32,16 @@ constexpr int samplesBetweenPoints = 8;
 // that.
 bool ReadGroups(const Json& list, std::size_t width, std::vector<double>& numbers)
 {
-  if (!list.is_array() || list.empty() || list.size() % width != 0)
+  if (!list.is_array() || list.empty() || list.size() % width != 0 ||
+      !std::all_of(list.begin(), list.end(), [](const Json& each) { return each.is_number(); }))
   {
     return false;
   }
-  for (const Json& each : list)
+  numbers = list.get<std::vector<double>>();
+  for (std::size_t i = 0; i < numbers.size(); i += width)
   {
-    if (!each.is_number())
-    {
-      return false;
-    }
-    numbers.push_back(each.get<double>());
-    const bool isPlace = (numbers.size() - 1) % width == 0;
-    if (isPlace && std::abs(numbers.back()) > vtkNexradColorMap::LargestPlace)
-    {
-      return false;
-    }
-  }
-  for (std::size_t i = width; i < numbers.size(); i += width)
-  {
-    if (numbers[i] < numbers[i - width])
+    if (std::abs(numbers[i]) > vtkNexradColorMap::LargestPlace ||
+        (i > 0 && numbers[i] < numbers[i - width]))
     {
       return false;
     }
@@ -73,28 +64,16 @@ void AddNode(std::vector<vtkNexradColorMap::Node>& nodes, double place, double v
   }
 }
 
-void SetColorSpace(const std::string& space, vtkColorTransferFunction* function)
+void SetColorSpace(const std::string& wanted, vtkColorTransferFunction* function)
 {
-  if (space == "HSV")
+  constexpr std::pair<const char*, int> spaces[] = {{"HSV", VTK_CTF_HSV}, {"Lab", VTK_CTF_LAB},
+    {"CIEDE2000", VTK_CTF_LAB_CIEDE2000}, {"Diverging", VTK_CTF_DIVERGING}, {"Step", VTK_CTF_STEP}};
+  for (const auto& [name, space] : spaces)
   {
-    function->SetColorSpaceToHSV();
-    function->HSVWrapOn();
-  }
-  else if (space == "Lab")
-  {
-    function->SetColorSpaceToLab();
-  }
-  else if (space == "CIEDE2000")
-  {
-    function->SetColorSpaceToLabCIEDE2000();
-  }
-  else if (space == "Diverging")
-  {
-    function->SetColorSpaceToDiverging();
-  }
-  else if (space == "Step")
-  {
-    function->SetColorSpaceToStep();
+    if (wanted == name)
+    {
+      function->SetColorSpace(space);
+    }
   }
 }
 
@@ -342,32 +321,6 @@ std::string ParseJSON(const std::string& text, vtkNexradColorMap& map)
   return {};
 }
 
-namespace
-{
-
-// Keys that most maps do without.
-void WriteOwnLabels(const vtkNexradColorMap& map, Json& result)
-{
-  for (std::size_t channel = 0; channel < channelNames.size(); ++channel)
-  {
-    if (map.Linear[channel])
-    {
-      result[linearKey].push_back(channelNames[channel]);
-    }
-  }
-  if (!(map.Bar == vtkNexradColorMap::Labels()))
-  {
-    result[labelsKey] = {{"unit", map.Bar.Unit}, {"factor", map.Bar.Factor},
-      {"offset", map.Bar.Offset}, {"step", map.Bar.Step}, {"decimals", map.Bar.Decimals}};
-  }
-  if (map.RangeFolded)
-  {
-    result[rangeFoldedKey] = *map.RangeFolded;
-  }
-}
-
-} // namespace
-
 std::string FormatJSON(
   const vtkNexradColorMap& map, const std::vector<std::array<double, 5>>& samples)
 {
@@ -392,6 +345,10 @@ std::string FormatJSON(
     {
       list.insert(list.end(), {node[0], node[1]});
     }
+    if (map.Linear[channel])
+    {
+      result[linearKey].push_back(channelNames[channel]);
+    }
   }
   for (const vtkNexradColorMap::Bin& bin : map.Bins)
   {
@@ -402,7 +359,15 @@ std::string FormatJSON(
   std::vector<double> isoValues = map.IsoValues;
   std::sort(isoValues.begin(), isoValues.end());
   result[isoValuesKey] = isoValues;
-  WriteOwnLabels(map, result);
+  if (!(map.Bar == vtkNexradColorMap::Labels()))
+  {
+    result[labelsKey] = {{"unit", map.Bar.Unit}, {"factor", map.Bar.Factor},
+      {"offset", map.Bar.Offset}, {"step", map.Bar.Step}, {"decimals", map.Bar.Decimals}};
+  }
+  if (map.RangeFolded)
+  {
+    result[rangeFoldedKey] = *map.RangeFolded;
+  }
   // The name and the unit may be of a file, in any encoding.
   return Json::array({result}).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradColorMapPalette.h"
 
-#include "vtkNexradColorMap.h"
-
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -21,8 +19,8 @@
 namespace
 {
 
-/// A colour statement of a table.
-struct vtkNexradPaletteStatement
+// A colour statement of a table.
+struct Statement
 {
   using Color = std::array<double, 4>; ///< red, green, blue, opacity
 
@@ -32,15 +30,6 @@ struct vtkNexradPaletteStatement
   bool Solid = false;
   bool HasOpacity = false;
   int Line = 0; ///< of the file, from 1 on
-};
-
-/// What the lines of a .pal table say.
-struct vtkNexradPaletteStatements
-{
-  std::vector<vtkNexradPaletteStatement> Colors; ///< in the order of the file
-  vtkNexradColorMap::Labels Labels;
-  std::optional<vtkNexradColorMap::Color> RangeFolded;
-  std::vector<std::string> PassedOver; ///< lines that cannot be read, as in vtkNexradColorMap
 };
 
 // A text of a table without the blanks at its ends.
@@ -75,8 +64,6 @@ std::string vtkNexradPaletteLine(int number, const std::string& what)
 }
 
 constexpr double fullByte = 255.0;
-
-using Statement = vtkNexradPaletteStatement;
 
 // A unit of speed, the ways in which tables write it, and how many of it are 1 m/s.
 struct Speed
@@ -167,11 +154,17 @@ const Speed* FindSpeed(double factor)
   return found != Speeds().end() ? &*found : nullptr;
 }
 
-// Reads a file line by line.
+// Reads a file line by line into a map, but for the colours: keys in any order and any case; text
+// behind a semicolon is a comment.
 class Reader
 {
 public:
-  vtkNexradPaletteStatements Found;
+  explicit Reader(vtkNexradColorMap& read)
+    : map(read)
+  {
+  }
+
+  std::vector<Statement> Colors; // in the order of the file
 
   void Read(const std::string& line)
   {
@@ -194,15 +187,15 @@ public:
   // A bar that called knots miles an hour would be read wrongly: the scale decides.
   void CheckUnit()
   {
-    std::string& unit = Found.Labels.Unit;
-    const Speed* const scaled = FindSpeed(Found.Labels.Factor);
+    std::string& unit = map.Bar.Unit;
+    const Speed* const scaled = FindSpeed(map.Bar.Factor);
     const Speed* const said = FindSpeed(unit);
     if (said != nullptr && scaled != nullptr && said != scaled)
     {
-      Found.PassedOver.push_back(vtkNexradPaletteLine(
+      map.PassedOver.push_back(vtkNexradPaletteLine(
         unitLine, "the unit " + unit + " does not fit the scale, which is of " + scaled->Unit));
     }
-    if (scaled != nullptr && (said != nullptr || (unit.empty() && Found.Labels.Factor != 1.0)))
+    if (scaled != nullptr && (said != nullptr || (unit.empty() && map.Bar.Factor != 1.0)))
     {
       unit = scaled->Unit;
     }
@@ -215,7 +208,7 @@ public:
 private:
   void PassOver(const std::string& why)
   {
-    Found.PassedOver.push_back(vtkNexradPaletteLine(number, "'" + content + "' " + why));
+    map.PassedOver.push_back(vtkNexradPaletteLine(number, "'" + content + "' " + why));
   }
 
   void ReadStatement(const std::string& key, const std::string& rest)
@@ -230,7 +223,7 @@ private:
     }
     else if (key == "units")
     {
-      Found.Labels.Unit = ToLower(rest) == "dbz" ? "dBZ" : ValidText(rest);
+      map.Bar.Unit = ToLower(rest) == "dbz" ? "dBZ" : ValidText(rest);
       unitLine = number;
     }
     else if (key == "rf")
@@ -254,7 +247,7 @@ private:
       return;
     }
     statement->Line = number;
-    Found.Colors.push_back(*statement);
+    Colors.push_back(*statement);
   }
 
   void SetNumber(const std::string& key, const std::string& rest)
@@ -269,19 +262,19 @@ private:
     const double value = numbers->front();
     if (key == "offset")
     {
-      Found.Labels.Offset = value;
+      map.Bar.Offset = value;
     }
     else if (key == "scale" && value != 0.0)
     {
-      Found.Labels.Factor = value;
+      map.Bar.Factor = value;
     }
     else if (key == "step" && value > 0.0)
     {
-      Found.Labels.Step = value;
+      map.Bar.Step = value;
     }
     else if (key == "decimals" && value >= 0.0 && value <= mostDecimals)
     {
-      Found.Labels.Decimals = static_cast<int>(value);
+      map.Bar.Decimals = static_cast<int>(value);
     }
     else
     {
@@ -299,9 +292,10 @@ private:
       return;
     }
     const Statement::Color color = ColorOf(numbers->begin(), 3);
-    Found.RangeFolded = {color[0], color[1], color[2]};
+    map.RangeFolded = {color[0], color[1], color[2]};
   }
 
+  vtkNexradColorMap& map;
   int number = 0;
   int unitLine = 0;
   std::string content;
@@ -321,22 +315,6 @@ std::string Plain(const std::string& text)
   }
   return plain;
 }
-
-// Reads the lines; in any order, keys in any case, text behind a semicolon is a comment.
-vtkNexradPaletteStatements vtkNexradReadPaletteStatements(const std::string& text)
-{
-  Reader reader;
-  std::istringstream lines(Plain(text));
-  std::string line;
-  while (std::getline(lines, line))
-  {
-    reader.Read(line);
-  }
-  reader.CheckUnit();
-  return std::move(reader.Found);
-}
-
-constexpr double highestByte = 255.0;
 
 using Node = vtkNexradColorMap::Node;
 
@@ -447,13 +425,12 @@ void SetColors(const std::vector<Statement>& statements, vtkNexradColorMap& map)
 
 // The statements in ascending order of the data's values. Those too far off are passed over; of two
 // at one value the later counts.
-std::vector<Statement> InOrder(const std::vector<Statement>& all,
-  const vtkNexradColorMap::Labels& labels, vtkNexradColorMap& map)
+std::vector<Statement> InOrder(const std::vector<Statement>& all, vtkNexradColorMap& map)
 {
   std::vector<Statement> placed;
   for (Statement statement : all)
   {
-    statement.From = (statement.From - labels.Offset) / labels.Factor;
+    statement.From = (statement.From - map.Bar.Offset) / map.Bar.Factor;
     if (std::abs(statement.From) <= vtkNexradColorMap::LargestPlace)
     {
       placed.push_back(statement);
@@ -481,7 +458,7 @@ std::vector<Statement> InOrder(const std::vector<Statement>& all,
 
 int ByteOf(double value)
 {
-  return static_cast<int>(std::lround(std::clamp(value, 0.0, 1.0) * highestByte));
+  return static_cast<int>(std::lround(std::clamp(value, 0.0, 1.0) * fullByte));
 }
 
 std::string FormatNumbers(const char* key, double value, std::initializer_list<double> channels)
@@ -508,7 +485,7 @@ std::optional<vtkNexradColorMap::Color> ParseHexColor(const std::string& text)
   {
     return std::nullopt;
   }
-  return vtkNexradColorMap::Color{red / highestByte, green / highestByte, blue / highestByte};
+  return vtkNexradColorMap::Color{red / fullByte, green / fullByte, blue / fullByte};
 }
 
 } // namespace
@@ -518,16 +495,20 @@ namespace vtkNexradColorMapText
 
 std::string ParsePalette(const std::string& text, vtkNexradColorMap& map)
 {
-  vtkNexradPaletteStatements read = vtkNexradReadPaletteStatements(text);
-  map.PassedOver = std::move(read.PassedOver);
-  const std::vector<Statement> statements = InOrder(read.Colors, read.Labels, map);
+  Reader reader(map);
+  std::istringstream lines(Plain(text));
+  std::string line;
+  while (std::getline(lines, line))
+  {
+    reader.Read(line);
+  }
+  reader.CheckUnit();
+  const std::vector<Statement> statements = InOrder(reader.Colors, map);
   if (statements.size() < 2)
   {
     const std::string first = map.PassedOver.empty() ? "" : map.PassedOver.front() + "; ";
     return first + "a colour table needs two colours at least, as in 'Color: 20 2 253 2'";
   }
-  map.Bar = read.Labels;
-  map.RangeFolded = read.RangeFolded;
   AddBins(statements, map);
   SetColors(statements, map);
   if (std::any_of(statements.begin(), statements.end(),

@@ -5,7 +5,7 @@
 #include "nexrad/System/Error.h"
 #include "vtkNexradColorMapJSON.h"
 #include "vtkNexradColorMapPalette.h"
-#include "vtkNexradTransferFunctionPresets.h"
+#include "vtkNexradColorMapSources.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkContourValues.h"
@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <limits>
 #include <string>
@@ -149,11 +148,6 @@ void BeginAt(double first, Nodes& nodes)
 {
   nodes.erase(nodes.begin(), std::upper_bound(nodes.begin(), nodes.end(), first, IsAfter));
   nodes.insert(nodes.begin(), Node{first, 0.0});
-}
-
-std::string EndingOf(const char* path)
-{
-  return path != nullptr ? std::filesystem::path(path).extension().string() : std::string();
 }
 
 } // namespace
@@ -523,20 +517,20 @@ void vtkNexradTransferFunction::FillSteppedColorFunction(vtkColorTransferFunctio
 
 int vtkNexradTransferFunction::GetNumberOfPresets()
 {
-  return static_cast<int>(vtkNexradTransferFunctionPresetNames().size());
+  return static_cast<int>(vtkNexradTransferFunctionPresets().size());
 }
 
 const char* vtkNexradTransferFunction::GetPresetName(int index)
 {
   return index >= 0 && index < GetNumberOfPresets()
-           ? vtkNexradTransferFunctionPresetNames()[static_cast<std::size_t>(index)].first
+           ? vtkNexradTransferFunctionPresets()[static_cast<std::size_t>(index)].Name.c_str()
            : nullptr;
 }
 
 const char* vtkNexradTransferFunction::GetPresetArray(int index)
 {
   return index >= 0 && index < GetNumberOfPresets()
-           ? vtkNexradTransferFunctionPresetNames()[static_cast<std::size_t>(index)].second
+           ? vtkNexradTransferFunctionPresets()[static_cast<std::size_t>(index)].Array.c_str()
            : nullptr;
 }
 
@@ -555,19 +549,20 @@ const char* vtkNexradTransferFunction::FindPreset(const char* array, int number)
 
 bool vtkNexradTransferFunction::ApplyPreset(const char* name)
 {
-  if (name == nullptr || !vtkNexradTransferFunctionPreset(name, this->Internal->Map))
+  const std::string wanted = name != nullptr ? name : "";
+  std::string names;
+  for (const vtkNexradColorMap& preset : vtkNexradTransferFunctionPresets())
   {
-    std::string names;
-    for (const auto& [each, array] : vtkNexradTransferFunctionPresetNames())
+    if (preset.Name == wanted)
     {
-      names += (names.empty() ? "" : ", ") + std::string(each);
+      this->Internal->Map = preset;
+      this->Modified();
+      return true;
     }
-    vtkErrorMacro(
-      "no preset is named '" << (name != nullptr ? name : "") << "'; there are: " << names);
-    return false;
+    names += (names.empty() ? "" : ", ") + preset.Name;
   }
-  this->Modified();
-  return true;
+  vtkErrorMacro("no preset is named '" << wanted << "'; there are: " << names);
+  return false;
 }
 
 void vtkNexradTransferFunction::SetOpacityToIsoValues(
@@ -600,39 +595,16 @@ void vtkNexradTransferFunction::SetOpacityToIsoValues(
 
 bool vtkNexradTransferFunction::ReadFile(const char* path)
 {
-  const std::string ending = EndingOf(path);
-  const auto parse = ending == ".json"  ? vtkNexradColorMapText::ParseJSON
-                     : ending == ".pal" ? vtkNexradColorMapText::ParsePalette
-                     : ending == ".csv" ? vtkNexradColorMapText::ParseTable
-                                        : nullptr;
-  if (parse == nullptr)
-  {
-    vtkErrorMacro(<< (path != nullptr ? path : "(no name)")
-                  << ": a colour map to read ends in .json, .pal or .csv");
-    return false;
-  }
-  std::error_code ignored;
-  if (std::filesystem::is_other(path, ignored)) // opening a pipe would wait for a writer
-  {
-    vtkErrorMacro(<< path << ": neither a file nor a folder; name a file");
-    return false;
-  }
-  std::ifstream stream(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   vtkNexradColorMap map;
-  const std::string problem = stream ? parse(text, map) : "cannot be read";
+  const std::string problem = vtkNexradReadColorMap(path != nullptr ? path : "", map);
   if (!problem.empty())
   {
-    vtkErrorMacro(<< path << ": " << problem);
+    vtkErrorMacro(<< (path != nullptr ? path : "(no name)") << ": " << problem);
     return false;
   }
   for (const std::string& line : map.PassedOver)
   {
     vtkWarningMacro(<< path << ": passed over: " << line);
-  }
-  if (map.Name.empty())
-  {
-    map.Name = std::filesystem::path(path).stem().string();
   }
   this->TakeOver(std::move(map));
   return true;
@@ -676,7 +648,8 @@ std::string vtkNexradTransferFunction::FormatJSON()
 
 bool vtkNexradTransferFunction::WriteFile(const char* path)
 {
-  const std::string ending = EndingOf(path);
+  const std::string ending =
+    std::filesystem::path(path != nullptr ? path : "").extension().string();
   if (ending != ".json" && ending != ".pal")
   {
     vtkErrorMacro(<< (path != nullptr ? path : "(no name)")

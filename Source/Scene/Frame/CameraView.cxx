@@ -1,10 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Frame/CameraView.h"
 
+#include "Scene/Shapes/Shapes.h"
+#include "nexrad/Geometry/Angles.h"
+
 #include <vtkCamera.h>
+#include <vtkClipConvexPolyData.h>
+#include <vtkMath.h>
+#include <vtkNew.h>
+#include <vtkPlane.h>
+#include <vtkPlaneCollection.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkTessellatedBoxSource.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace nexrad::scene
@@ -14,13 +27,7 @@ namespace
 
 using Vector = std::array<double, 3>;
 
-constexpr double radians = 3.14159265358979323846 / 180.0;
 constexpr double viewAngle = 30.0; // degrees, vertical; VTK's default
-
-double Dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 struct Axes
 {
@@ -29,10 +36,10 @@ struct Axes
 
 Axes AxesOf(const CameraView& view)
 {
-  const double sinA = std::sin(view.azimuth * radians);
-  const double cosA = std::cos(view.azimuth * radians);
-  const double sinT = std::sin(view.tilt * radians);
-  const double cosT = std::cos(view.tilt * radians);
+  const double sinA = std::sin(view.azimuth * RadiansPerDegree);
+  const double cosA = std::cos(view.azimuth * RadiansPerDegree);
+  const double sinT = std::sin(view.tilt * RadiansPerDegree);
+  const double cosT = std::cos(view.tilt * RadiansPerDegree);
   return {{-cosA, sinA, 0.0}, {-sinA * sinT, -cosA * sinT, cosT}, {sinA * cosT, cosA * cosT, sinT}};
 }
 
@@ -79,7 +86,7 @@ void PointCamera(vtkCamera* camera, const CameraView& view, const std::array<dou
   std::vector<Vector> corners;
   for (int corner = 0; corner < 8; ++corner)
   {
-    corners.push_back({box[corner & 1], box[2 + (corner >> 1 & 1)], box[4 + (corner >> 2)]});
+    corners.push_back(CornerOfBox(box, corner));
   }
   PointCamera(camera, view, corners, aspect, area);
 }
@@ -89,7 +96,7 @@ void PointCamera(vtkCamera* camera, const CameraView& view, const std::vector<Ve
 {
   const Axes axes = AxesOf(view);
   const Vector centre = MiddleOf(points);
-  const double half = view.parallel ? 1.0 : std::tan(viewAngle / 2.0 * radians);
+  const double half = view.parallel ? 1.0 : std::tan(viewAngle / 2.0 * RadiansPerDegree);
   Extent across{area.left * half * aspect, area.right * half * aspect};
   Extent upward{area.bottom * half, area.top * half};
   double radius = 0.0;
@@ -97,10 +104,10 @@ void PointCamera(vtkCamera* camera, const CameraView& view, const std::vector<Ve
   {
     const Vector point = {
       scenePoint[0] - centre[0], scenePoint[1] - centre[1], scenePoint[2] - centre[2]};
-    const double nearer = view.parallel ? 0.0 : Dot(point, axes.back);
-    across.Add(Dot(point, axes.right), nearer);
-    upward.Add(Dot(point, axes.up), nearer);
-    radius = std::max(radius, std::sqrt(Dot(point, point)));
+    const double nearer = view.parallel ? 0.0 : vtkMath::Dot(point.data(), axes.back.data());
+    across.Add(vtkMath::Dot(point.data(), axes.right.data()), nearer);
+    upward.Add(vtkMath::Dot(point.data(), axes.up.data()), nearer);
+    radius = std::max(radius, vtkMath::Norm(point.data()));
   }
   // Under parallel projection the same "distance" is half the height of the view.
   const double distance = std::max(across.Distance(), upward.Distance());
@@ -132,7 +139,7 @@ void CentreOn(vtkCamera* camera, const Vector& point, double part)
   camera->GetFocalPoint(focus.data());
   camera->GetDirectionOfProjection(forward.data());
   const Vector way = {point[0] - focus[0], point[1] - focus[1], point[2] - focus[2]};
-  const double along = Dot(way, forward);
+  const double along = vtkMath::Dot(way.data(), forward.data());
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const double sideways = part * (way[axis] - along * forward[axis]);
@@ -159,6 +166,90 @@ std::array<double, 2> RightOf(const CameraView& view)
 {
   const Vector right = AxesOf(view).right;
   return {right[0], right[1]};
+}
+
+double DepthBefore(vtkCamera* camera, const double point[3])
+{
+  double way[3];
+  vtkMath::Subtract(point, camera->GetPosition(), way);
+  return vtkMath::Dot(way, camera->GetDirectionOfProjection());
+}
+
+double HalfHeightAt(vtkCamera* camera, const double point[3])
+{
+  return camera->GetParallelProjection() != 0
+           ? camera->GetParallelScale()
+           : DepthBefore(camera, point) *
+               std::tan(vtkMath::RadiansFromDegrees(camera->GetViewAngle()) / 2.0);
+}
+
+namespace
+{
+
+vtkSmartPointer<vtkPlaneCollection> FrustumOf(vtkCamera* camera, double aspect)
+{
+  double coefficients[24];
+  camera->GetFrustumPlanes(aspect, coefficients);
+  auto planes = vtkSmartPointer<vtkPlaneCollection>::New();
+  for (std::size_t i = 0; i < 6; ++i)
+  {
+    double* normal = coefficients + 4 * i; // it points into the frustum
+    const double length = vtkMath::Normalize(normal);
+    vtkNew<vtkPlane> plane;
+    plane->SetNormal(normal);
+    plane->Push(-normal[3] / length);
+    planes->AddItem(plane);
+  }
+  return planes;
+}
+
+// What a camera shows of a box, as a solid; nullptr where that is nothing.
+vtkSmartPointer<vtkPolyData> Clip(const std::array<double, 6>& box, vtkPlaneCollection* frustum)
+{
+  constexpr double rounding = 0.01; // scene units
+  vtkNew<vtkTessellatedBoxSource> source;
+  source->SetBounds(box.data());
+  source->QuadsOn();
+  vtkNew<vtkClipConvexPolyData> clip;
+  clip->SetInputConnection(source->GetOutputPort());
+  clip->SetPlanes(frustum);
+  clip->Update();
+  vtkPolyData* shown = clip->GetOutput();
+  // The filter passes over a plane beyond which all lies.
+  for (int i = 0; i < frustum->GetNumberOfItems(); ++i)
+  {
+    for (vtkIdType point = 0; point < shown->GetNumberOfPoints(); ++point)
+    {
+      if (frustum->GetItem(i)->EvaluateFunction(shown->GetPoint(point)) < -rounding)
+      {
+        return nullptr;
+      }
+    }
+  }
+  return shown;
+}
+
+} // namespace
+
+std::optional<SeenPart> FindSeen(
+  vtkRenderer* renderer, const std::array<int, 2>& size, const std::array<double, 6>& box)
+{
+  vtkNew<vtkCamera> camera;
+  camera->DeepCopy(renderer->GetActiveCamera());
+  camera->SetClippingRange(1.0, 1.0e5); // of the volume alone, wherever it is
+  const auto shown = Clip(box, FrustumOf(camera, static_cast<double>(size[0]) / size[1]));
+  if (shown == nullptr || shown->GetNumberOfPoints() == 0)
+  {
+    return std::nullopt;
+  }
+  SeenPart seen;
+  std::copy_n(shown->GetBounds(), seen.faces.size(), seen.faces.begin());
+  seen.pixel = std::numeric_limits<double>::infinity();
+  for (vtkIdType i = 0; i < shown->GetNumberOfPoints(); ++i)
+  {
+    seen.pixel = std::min(seen.pixel, 2.0 * HalfHeightAt(camera, shown->GetPoint(i)) / size[1]);
+  }
+  return seen;
 }
 
 } // namespace nexrad::scene

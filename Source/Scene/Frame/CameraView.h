@@ -6,6 +6,7 @@
 #include <vector>
 
 class vtkCamera;
+class vtkRenderer;
 
 namespace nexrad::scene
 {
@@ -70,5 +71,23 @@ CameraView OnTheWayTo(const CameraView& view, double part);
 
 /// The camera's right-hand direction, a unit vector on the ground.
 std::array<double, 2> RightOf(const CameraView& view);
+
+/// How far a point of the scene lies before the camera.
+double DepthBefore(vtkCamera* camera, const double point[3]);
+
+/// Half the height of what a picture shows at the distance of a point, in scene units.
+double HalfHeightAt(vtkCamera* camera, const double point[3]);
+
+/// What a picture shows of a box of the scene.
+struct SeenPart
+{
+  std::array<double, 4> faces = {0.0, 0.0, 0.0, 0.0}; ///< west, east, south, north, in scene units
+  double pixel = 0.0; ///< side of a pixel where the box is nearest to the camera, in scene units
+};
+
+/// The part of a box (west, east, south, north, bottom, top) that a picture of `size` pixels shows
+/// through a renderer's camera. Nothing where it shows none.
+std::optional<SeenPart> FindSeen(
+  vtkRenderer* renderer, const std::array<int, 2>& size, const std::array<double, 6>& box);
 
 } // namespace nexrad::scene

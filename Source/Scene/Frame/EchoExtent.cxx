@@ -5,9 +5,9 @@
 #include "Scene/Frame/VolumeInformation.h"
 #include "vtkNexradThreads.h"
 #include "vtkNexradTransferFunction.h"
+#include "vtkNexradVoxels.h"
 
 #include <vtkDataArray.h>
-#include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkPointData.h>
@@ -126,10 +126,7 @@ Columns ColumnsOf(vtkImageData* volume, const Extinction& extinction)
   }
   columns.extinctions.resize(columns.At(0, columns.count[1]));
   vtkDataArray* scalars = volume->GetPointData()->GetScalars();
-  vtkDataArray* meant =
-    volume->GetFieldData()->GetArray((ArrayOf(volume) + "_code_values").c_str());
-  auto* codes = vtkUnsignedCharArray::SafeDownCast(scalars);
-  if (codes != nullptr && meant != nullptr)
+  if (vtkDataArray* meant = vtkNexradFindCodeValues(volume, ArrayOf(volume)))
   {
     std::array<float, 256> table{};
     for (std::size_t code = 0; code < table.size(); ++code)
@@ -137,7 +134,8 @@ Columns ColumnsOf(vtkImageData* volume, const Extinction& extinction)
       table[code] = extinction.Of(meant->GetComponent(static_cast<vtkIdType>(code), 0));
     }
     SumVoxels(
-      codes->GetPointer(0), size, [&](unsigned char code) { return table[code]; }, columns);
+      vtkUnsignedCharArray::SafeDownCast(scalars)->GetPointer(0), size,
+      [&](unsigned char code) { return table[code]; }, columns);
   }
   else if (auto* floats = vtkFloatArray::SafeDownCast(scalars))
   {

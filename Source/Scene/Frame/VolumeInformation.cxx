@@ -9,6 +9,7 @@
 
 namespace nexrad::scene
 {
+
 VolumeInformation ReadVolumeInformation(vtkImageData* volume)
 {
   vtkFieldData* fields = volume->GetFieldData();
@@ -33,14 +34,9 @@ VolumeInformation ReadVolumeInformation(vtkImageData* volume)
   return information;
 }
 
-bool IsGeographic(vtkImageData* volume)
-{
-  return ReadVolumeInformation(volume).IsGeographic();
-}
-
 PlaceUnit PlaceUnitOf(vtkImageData* volume)
 {
-  return IsGeographic(volume) ? PlaceUnit::Degrees : PlaceUnit::Metres;
+  return ReadVolumeInformation(volume).IsGeographic() ? PlaceUnit::Degrees : PlaceUnit::Metres;
 }
 
 std::array<double, 6> FacesOf(vtkImageData* volume)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Grid/PlaceUnit.h"
+#include "nexrad/Grid/GridSpecification.h"
 #include "nexrad/Model/Time.h"
 
 #include <array>
@@ -35,9 +35,6 @@ struct VolumeInformation
 };
 
 VolumeInformation ReadVolumeInformation(vtkImageData* volume);
-
-/// Whether x and y of a volume are longitude and latitude in degrees; else they are m.
-bool IsGeographic(vtkImageData* volume);
 
 /// The unit of x and y of a volume: degrees on geographic axes, else metres.
 PlaceUnit PlaceUnitOf(vtkImageData* volume);

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Map/GroundPicture.h"
 
-#include "Scene/Frame/SceneFrame.h"
-#include "Scene/Map/Elevations.h"
-#include "Scene/Map/MapData.h"
 #include "Scene/Map/PlacedMap.h"
-#include "Scene/Shapes/Embedded.h"
 #include "nexrad/Geometry/Angles.h"
 
+#include <vtkActor.h>
+#include <vtkDataArray.h>
 #include <vtkImageData.h>
+#include <vtkPointData.h>
 #include <vtkSMPTools.h>
+#include <vtkTexture.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace nexrad::scene
@@ -81,10 +82,10 @@ private:
   std::vector<std::vector<double>> crossings; ///< of each row
 };
 
-bool Touches(const MapArea& area, const GeographicBounds& reach)
+bool Touches(const MapPolyline& area, const GeographicBounds& reach)
 {
   GeographicBounds box{1e9, 1e9, -1e9, -1e9};
-  for (const auto& [longitude, latitude] : area.ring)
+  for (const auto& [longitude, latitude] : area.points)
   {
     box = {std::min(box.west, longitude), std::min(box.south, latitude),
       std::max(box.east, longitude), std::max(box.north, latitude)};
@@ -95,45 +96,27 @@ bool Touches(const MapArea& area, const GeographicBounds& reach)
 
 } // namespace
 
-std::vector<MapArea> ParseMapAreas(const unsigned char* bytes, std::size_t size)
-{
-  constexpr std::uint8_t kinds = 2;
-  std::vector<MapArea> areas;
-  for (MapPolyline& line : ReadMapPolylines(MapBytes(bytes, size, "map areas"), "NXAREA1\n", kinds))
-  {
-    areas.push_back({line.kind == 1, std::move(line.points)});
-  }
-  return areas;
-}
-
-const std::vector<MapArea>& EmbeddedMapAreas()
-{
-  static const std::vector<MapArea> areas =
-    ParseMapAreas(embedded::mapAreas, embedded::mapAreasSize);
-  return areas;
-}
-
 std::vector<std::uint8_t> PaintLand(
-  const SceneFrame& frame, const std::vector<MapArea>& areas, int columns, int rows)
+  const SceneFrame& frame, const std::vector<MapPolyline>& areas, int columns, int rows)
 {
   std::vector<std::uint8_t> land(static_cast<std::size_t>(columns) * rows, 0);
   RingPainter painter(land, columns, rows);
   const auto& box = frame.Bounds();
   const GeographicBounds reach = ReachOf(frame);
-  for (const MapArea& area : areas)
+  for (const MapPolyline& area : areas)
   {
     if (!Touches(area, reach))
     {
       continue;
     }
     GroundLine ring;
-    for (const auto& [longitude, latitude] : area.ring)
+    for (const auto& [longitude, latitude] : area.points)
     {
       const auto place = frame.Place(longitude, latitude);
       ring.push_back({columns * (place[0] - box[0]) / (box[1] - box[0]),
         rows * (place[1] - box[2]) / (box[3] - box[2])});
     }
-    painter.Paint(ring, area.land ? 1 : 0);
+    painter.Paint(ring, area.kind);
   }
   return land;
 }
@@ -166,35 +149,32 @@ Slope SlopeAt(const HeightGrid& ground, int column, int row)
       (metres * ground.cellHeight * std::max(north - south, 1))};
 }
 
-} // namespace
-
+// The ground under a domain. Cells without elevations have 0 m.
 HeightGrid MakeHeightGrid(
   const SceneFrame& frame, const Elevations& elevations, int columns, int rows)
 {
   const auto& box = frame.Bounds();
   HeightGrid ground{columns, rows, (box[1] - box[0]) / columns, (box[3] - box[2]) / rows, {}};
   ground.heights.resize(static_cast<std::size_t>(columns) * rows);
-  const auto fillRow = [&](vtkIdType row)
-  {
-    for (int column = 0; column < columns; ++column)
-    {
-      const auto [longitude, latitude] =
-        frame.Geographic(box[0] + (column + 0.5) * ground.cellWidth,
-          box[2] + (static_cast<double>(row) + 0.5) * ground.cellHeight);
-      ground.heights[static_cast<std::size_t>(row) * columns + column] =
-        elevations.At(longitude, latitude).value_or(0.0);
-    }
-  };
   vtkSMPTools::For(0, rows,
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType row = first; row < last; ++row)
       {
-        fillRow(row);
+        for (int column = 0; column < columns; ++column)
+        {
+          const auto [longitude, latitude] =
+            frame.Geographic(box[0] + (column + 0.5) * ground.cellWidth,
+              box[2] + (static_cast<double>(row) + 0.5) * ground.cellHeight);
+          ground.heights[static_cast<std::size_t>(row) * columns + column] =
+            elevations.At(longitude, latitude).value_or(0.0);
+        }
       }
     });
   return ground;
 }
+
+} // namespace
 
 std::vector<float> ShadeRelief(const HeightGrid& ground, const LightDirection& light)
 {
@@ -264,9 +244,17 @@ float Between(float from, float to, float share)
   return from + share * (to - from);
 }
 
-} // namespace
+// Where a cell of a picture lies among coarser cells: those on both sides of its middle.
+struct CellPlace
+{
+  int before = 0;
+  int after = 0;
+  float share = 0.0F; // of the later one
+};
 
-std::vector<CellPlace> PlacesAmong(int cells, int coarser, double part)
+// The places of all cells along an axis. `part`: of the length of the coarser cells, that which the
+// cells take.
+std::vector<CellPlace> PlacesAmong(int cells, int coarser, double part = 1.0)
 {
   std::vector<CellPlace> places;
   for (int cell = 0; cell < cells; ++cell)
@@ -280,6 +268,7 @@ std::vector<CellPlace> PlacesAmong(int cells, int coarser, double part)
   return places;
 }
 
+// A value of row-by-row cells, `columns` in a row, at a place.
 float ValueAt(const std::vector<float>& values, int columns, const CellPlace& x, const CellPlace& y)
 {
   const float* below = values.data() + static_cast<std::size_t>(y.before) * columns;
@@ -287,6 +276,8 @@ float ValueAt(const std::vector<float>& values, int columns, const CellPlace& x,
   return Between(Between(below[x.before], below[x.after], x.share),
     Between(above[x.before], above[x.after], x.share), y.share);
 }
+
+} // namespace
 
 vtkSmartPointer<vtkImageData> MakeGroundPicture(
   const SceneFrame& frame, const Theme& theme, int longSide)
@@ -323,6 +314,106 @@ vtkSmartPointer<vtkImageData> MakeGroundPicture(
     }
   }
   return picture;
+}
+
+namespace
+{
+
+// What the texels of the light volume's lowest layer leave of the ground's brightness, 0…1.
+std::vector<float> BrightnessOf(vtkImageData* light, const LightOptions& options)
+{
+  vtkDataArray* arriving = light->GetPointData()->GetScalars();
+  const int* size = light->GetDimensions();
+  std::vector<float> brightness(static_cast<std::size_t>(size[0]) * size[1]);
+  for (std::size_t i = 0; i < brightness.size(); ++i)
+  {
+    const auto id = static_cast<vtkIdType>(i);
+    // The light of the volume comes farther into cores than to the ground.
+    const double share = arriving->GetComponent(id, 0);
+    const double ofLight = 1.0 - options.shadow * (1.0 - share * share);
+    const double ofSky = 1.0 - options.occlusion * (1.0 - arriving->GetComponent(id, 1));
+    brightness[i] = static_cast<float>(ofLight * ofSky);
+  }
+  return brightness;
+}
+
+// The cell of a picture of `from` cells in place of one of `to` cells.
+std::size_t SameCell(int cell, int to, int from)
+{
+  return static_cast<std::size_t>(cell) * static_cast<std::size_t>(from) /
+         static_cast<std::size_t>(to);
+}
+
+} // namespace
+
+GroundShadow::GroundShadow()
+{
+  texture->SetInputData(image);
+  texture->InterpolateOn();
+  texture->MipmapOn();
+  texture->EdgeClampOn();
+}
+
+GroundShadow::~GroundShadow() = default;
+
+void GroundShadow::Show(vtkActor* ground, vtkImageData* light, const LightOptions& options,
+  vtkImageData* volume, bool keeps)
+{
+  const bool newGround = ground->GetTexture() != texture && ground->GetTexture() != lit;
+  if (newGround)
+  {
+    lit = ground->GetTexture();
+  }
+  if (light == nullptr)
+  {
+    ground->SetTexture(lit);
+    return;
+  }
+  const bool changed =
+    light->GetMTime() != made || options.shadow != shadow || options.occlusion != occlusion;
+  if (newGround || (changed && !keeps))
+  {
+    this->Fill(light, options, volume);
+    made = light->GetMTime();
+    shadow = options.shadow;
+    occlusion = options.occlusion;
+  }
+  ground->SetTexture(texture);
+}
+
+void GroundShadow::Fill(vtkImageData* light, const LightOptions& options, vtkImageData* volume)
+{
+  vtkImageData* picture = lit->GetInput();
+  const int* colours = picture->GetDimensions();
+  const int* texels = light->GetDimensions();
+  std::array<int, 2> size{};
+  std::array<std::vector<CellPlace>, 2> places;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    size[axis] = std::max(colours[axis], texels[axis]);
+    const double part = volume->GetDimensions()[axis] * volume->GetSpacing()[axis] /
+                        (texels[axis] * light->GetSpacing()[axis]);
+    places[axis] = PlacesAmong(size[axis], texels[axis], part);
+  }
+  image->SetDimensions(size[0], size[1], 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  const std::vector<float> brightness = BrightnessOf(light, options);
+  const auto* from = static_cast<const unsigned char*>(picture->GetScalarPointer());
+  auto* texel = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (int row = 0; row < size[1]; ++row)
+  {
+    const unsigned char* line = from + 3 * SameCell(row, size[1], colours[1]) * colours[0];
+    for (int column = 0; column < size[0]; ++column)
+    {
+      const float left = ValueAt(brightness, texels[0], places[0][column], places[1][row]);
+      const unsigned char* colour = line + 3 * SameCell(column, size[0], colours[0]);
+      for (int channel = 0; channel < 3; ++channel)
+      {
+        *texel++ = static_cast<unsigned char>(colour[channel] * left + 0.5F);
+      }
+    }
+  }
+  image->Modified();
 }
 
 } // namespace nexrad::scene

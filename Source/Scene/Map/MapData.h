@@ -4,54 +4,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace nexrad::scene
 {
-
-/// Reads the bytes of a file of the map one after the other. Throws Error, naming the byte offset,
-/// for bytes that end too early.
-class MapBytes
-{
-public:
-  /// `name`: of the file, for errors.
-  MapBytes(const unsigned char* first, std::size_t count, std::string name);
-
-  [[noreturn]] void Fail(const std::string& what) const;
-
-  /// Throws Error when the bytes do not begin so.
-  void SkipMagic(const std::string& magic);
-  unsigned char Byte();
-  /// Seven bits a byte, the lowest first; the top bit says that more follow. Throws Error for a
-  /// number of more than 28 bits.
-  std::uint32_t Unsigned();
-  /// 0, -1, 1, -2, 2, … are stored as 0, 1, 2, 3, 4, …
-  std::int32_t Signed();
-
-  std::size_t Remaining() const { return size - offset; }
-  /// What was not read yet.
-  const unsigned char* Rest() const { return bytes + offset; }
-
-private:
-  const unsigned char* bytes;
-  std::size_t size;
-  std::size_t offset = 0;
-  std::string file;
-};
-
-/// A line of a file of the map.
-struct MapPolyline
-{
-  std::uint8_t kind = 0;
-  std::vector<std::array<double, 2>> points; ///< longitude and latitude, degrees; at least two
-};
-
-/// Reads all lines of a file (Documentation/Formats/map-lines.md). `kinds`: how many there are.
-/// Throws Error for a kind beyond, a line of fewer than two points, and bytes that do not end with
-/// the last line.
-std::vector<MapPolyline> ReadMapPolylines(
-  MapBytes bytes, const std::string& magic, std::uint8_t kinds);
 
 /// What a line of the map separates.
 enum class MapLineKind : std::uint8_t
@@ -61,20 +21,24 @@ enum class MapLineKind : std::uint8_t
   County = 2
 };
 
-/// A polyline on the map.
-struct MapLine
+/// A line of the map, or the outline of an area.
+struct MapPolyline
 {
-  MapLineKind kind = MapLineKind::Country;
+  std::uint8_t kind = 0; ///< of a line a MapLineKind; of an area 1 for land, 0 for water
   std::vector<std::array<double, 2>> points; ///< longitude and latitude, degrees; at least two
 };
 
 /// Reads a file of map lines (Documentation/Formats/map-lines.md). Throws Error, naming the byte
 /// offset, for a wrong magic, an unknown kind, a line of fewer than two points, a number that is
 /// too large, bytes that end too early or do not end with the last line.
-std::vector<MapLine> ParseMapLines(const unsigned char* bytes, std::size_t size);
+std::vector<MapPolyline> ParseMapLines(const unsigned char* bytes, std::size_t size);
 
 /// The lines that are compiled in (Data/map_lines.bin): within 8° of each radar.
-const std::vector<MapLine>& EmbeddedMapLines();
+const std::vector<MapPolyline>& EmbeddedMapLines();
+
+/// The areas that are compiled in (Data/map_areas.bin): within 16° of each radar. Each lies over
+/// those before it; where there is none there is water.
+const std::vector<MapPolyline>& EmbeddedMapAreas();
 
 /// A name on the map.
 struct MapName
@@ -95,5 +59,32 @@ const std::vector<MapName>& EmbeddedMapNames();
 /// The towns that are compiled in (Data/map_towns.csv): those within 8° of each radar, the largest
 /// first.
 const std::vector<MapName>& EmbeddedTowns();
+
+/// Heights of the ground at the crossings of evenly spaced meridians and parallels, in tiles.
+class Elevations
+{
+public:
+  /// Reads a file of elevations (Documentation/Formats/elevations.md). Throws Error, naming the
+  /// byte offset, for a wrong magic, sizes of 0 or too large, bytes that end too early, and samples
+  /// that are not as many as the tiles need.
+  static Elevations Parse(const unsigned char* bytes, std::size_t size);
+
+  /// Metres above mean sea level, 0 at sea, of a place in degrees: cubic B-splines through the 16
+  /// samples about it, which smooth them a little. Nothing where one of them is in no tile.
+  std::optional<double> At(double longitude, double latitude) const;
+
+private:
+  using Corner = std::pair<int, int>; ///< degrees east and north
+
+  std::optional<double> Sample(int column, int row) const;
+
+  int samplesPerDegree = 1;
+  int metresPerUnit = 1;
+  int tileDegrees = 1;
+  std::map<Corner, std::vector<std::int16_t>> tiles;
+};
+
+/// Those that are compiled in (Data/elevations.bin): every 5′ within 8° of each radar.
+const Elevations& EmbeddedElevations();
 
 } // namespace nexrad::scene

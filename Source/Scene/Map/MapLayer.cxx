@@ -178,28 +178,15 @@ double HeightOf(const SceneFrame& frame, GroundLevel level)
 
 GroundLevel LevelOf(MapLineKind kind)
 {
-  switch (kind)
-  {
-  case MapLineKind::Country:
-    return GroundLevel::Countries;
-  case MapLineKind::State:
-    return GroundLevel::States;
-  default:
-    return GroundLevel::Counties;
-  }
+  constexpr std::array<GroundLevel, 3> levels = {
+    GroundLevel::Countries, GroundLevel::States, GroundLevel::Counties};
+  return levels[static_cast<std::size_t>(kind)];
 }
 
 const Colour& ColourOf(MapLineKind kind, const Theme& theme)
 {
-  switch (kind)
-  {
-  case MapLineKind::Country:
-    return theme.country;
-  case MapLineKind::State:
-    return theme.state;
-  default:
-    return theme.county;
-  }
+  const std::array<const Colour*, 3> colours = {&theme.country, &theme.state, &theme.county};
+  return *colours[static_cast<std::size_t>(kind)];
 }
 
 vtkSmartPointer<vtkActor> MakeGroundActor(const SceneFrame& frame, const Theme& theme)

@@ -30,7 +30,7 @@ GroundLine Circle(const std::array<double, 2>& centre, double radius)
   return points;
 }
 
-bool Touches(const MapLine& line, const GeographicBounds& reach)
+bool HasPointIn(const GeographicBounds& reach, const MapPolyline& line)
 {
   return std::any_of(line.points.begin(), line.points.end(),
     [&](const auto& point)
@@ -125,9 +125,9 @@ std::array<std::vector<GroundLine>, 3> PlaceMapLines(const SceneFrame& frame)
     return placed;
   }
   const GeographicBounds reach = ReachOf(frame);
-  for (const MapLine& line : EmbeddedMapLines())
+  for (const MapPolyline& line : EmbeddedMapLines())
   {
-    if (!Touches(line, reach))
+    if (!HasPointIn(reach, line))
     {
       continue;
     }
@@ -136,7 +136,7 @@ std::array<std::vector<GroundLine>, 3> PlaceMapLines(const SceneFrame& frame)
     {
       points.push_back(frame.Place(longitude, latitude));
     }
-    auto& parts = placed[static_cast<std::size_t>(line.kind)];
+    auto& parts = placed[line.kind];
     for (GroundLine& part : ClipLine(points, Rectangle(frame)))
     {
       parts.push_back(std::move(part));

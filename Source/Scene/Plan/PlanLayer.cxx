@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <sstream>
 
 namespace nexrad::scene
 {
@@ -120,9 +119,7 @@ ColourScale EchoTopScale(double threshold)
   scale.factor = 0.001;
   scale.bins = BinsFrom({0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18});
   scale.unit = "km";
-  std::ostringstream title;
-  title << "Echo top at " << threshold << " dBZ";
-  scale.title = title.str();
+  scale.title = "Echo top at " + NumberWord(threshold) + " dBZ";
   return scale;
 }
 
@@ -142,9 +139,7 @@ ColourScale LiquidDensityScale(double threshold)
   ColourScale scale;
   scale.bins = BinsFrom({0.25, 0.5, 0.75, 1, 1.25, 1.5, 1.75, 2, 2.5, 3, 3.5, 4, 4.5, 5, 6});
   scale.unit = "g/m³";
-  std::ostringstream title;
-  title << "VIL density, echo top at " << threshold << " dBZ";
-  scale.title = title.str();
+  scale.title = "VIL density, echo top at " + NumberWord(threshold) + " dBZ";
   return scale;
 }
 

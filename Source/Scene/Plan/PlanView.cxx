@@ -2,14 +2,13 @@
 #include "Scene/Plan/PlanView.h"
 
 #include "Scene/Frame/VolumeInformation.h"
-#include "nexrad/Products/ColumnProducts.h"
+#include "Scene/Shapes/Letters.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradVoxels.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -35,28 +34,16 @@ ReadVoxels Read(const vtkNexradVoxels& voxels)
 
 } // namespace
 
-PlanSource SourceOf(const GriddedVolume& volume)
-{
-  const AncillaryArrays& arrays = volume.ancillary;
-  const auto valuesOf = [](const auto& values) { return values.empty() ? nullptr : values.data(); };
-  return {LinesOf(volume), valuesOf(arrays.age), valuesOf(arrays.radars), valuesOf(arrays.weight),
-    valuesOf(arrays.nearestSite), volume.sharpened};
-}
-
 PlanSource SourceOf(vtkImageData* volume)
 {
-  const std::string name = ArrayOf(volume);
-  const auto moment = ParseMomentName(name);
-  if (!moment)
-  {
-    throw Error("the volume's active scalars are no radar moment: '" + name + "'");
-  }
+  const MomentName moment = vtkNexradScalarsMoment(volume);
+  const std::string name = ToString(moment);
   vtkPointData* points = volume->GetPointData();
   const vtkIdType voxels = volume->GetNumberOfPoints();
   PlanSource source;
   const GridSpecification grid = vtkNexradImageToGrid(volume);
   const VolumeInformation information = ReadVolumeInformation(volume);
-  source.voxels = {grid, *moment, Read(vtkNexradVoxels::Require(volume, name)),
+  source.voxels = {grid, moment, Read(vtkNexradVoxels::Require(volume, name)),
     GroundHeight(grid, information.sites, {})};
   source.age = vtkNexradFindValues<vtkFloatArray>(points, name + "_age", voxels);
   source.radars = vtkNexradFindValues<vtkUnsignedCharArray>(points, name + "_radars", voxels);
@@ -71,9 +58,7 @@ namespace
 
 std::string Kilometres(double metres)
 {
-  std::ostringstream stream;
-  stream << std::round(metres / 10.0) / 100.0 << " km";
-  return stream.str();
+  return NumberWord(std::round(metres / 10.0) / 100.0) + " km";
 }
 
 // The level whose voxels hold a height.
@@ -168,15 +153,12 @@ std::vector<ShownVoxel> FindShown(
   const VoxelLines& voxels, PlanLevel kind, int level, const RangeLoop& loop)
 {
   const int levels = voxels.grid.dimensions[2];
-  switch (kind)
+  if (kind == PlanLevel::Composite)
   {
-  case PlanLevel::Composite:
     return FindAmong(voxels, 0, levels, LargestVoxel{HasTwoSigns(voxels.moment)}, loop);
-  case PlanLevel::Height:
-    return FindAmong(voxels, level, level + 1, LowestVoxel(), loop);
-  default:
-    return FindAmong(voxels, 0, levels, LowestVoxel(), loop);
   }
+  return kind == PlanLevel::Height ? FindAmong(voxels, level, level + 1, LowestVoxel(), loop)
+                                   : FindAmong(voxels, 0, levels, LowestVoxel(), loop);
 }
 
 // The phase grows with range, and the correlation is near 1 in some voxel of nearly every column.
@@ -278,39 +260,18 @@ ColumnProduct MakeProduct(const VoxelLines& volume, const PlanOptions& plan, con
 
 std::string ProductText(const PlanOptions& plan)
 {
-  constexpr char capped[] = "above 56 dBZ as 56 dBZ";
-  std::ostringstream text;
+  const std::string capped = "above 56 dBZ as 56 dBZ";
+  const std::string threshold = NumberWord(plan.threshold) + " dBZ";
   switch (plan.level)
   {
   case PlanLevel::EchoTop:
-    text << "Highest place of each column with " << plan.threshold
-         << " dBZ, in km above mean sea level";
-    break;
+    return "Highest place of each column with " + threshold + ", in km above mean sea level";
   case PlanLevel::LiquidDensity:
-    text << "Liquid of each column (" << capped << ") through the height of its echo top at "
-         << plan.threshold << " dBZ above the ground at the nearest radar";
-    break;
+    return "Liquid of each column (" + capped + ") through the height of its echo top at " +
+           threshold + " above the ground at the nearest radar";
   default:
-    text << "Of all voxels of each column; " << capped;
-    break;
+    return "Of all voxels of each column; " + capped;
   }
-  return text.str();
-}
-
-PlanView MakeProductView(const VoxelLines& volume, const PlanOptions& plan, const RangeLoop& loop)
-{
-  if (!plan.array.empty() && plan.array != ToString(volume.moment))
-  {
-    throw Error("echo tops and liquid are computed of REF, not of " + plan.array);
-  }
-  ColumnProduct product = MakeProduct(volume, plan, loop);
-  PlanView view;
-  view.width = product.width;
-  view.height = product.height;
-  view.values = std::move(product.values);
-  view.states = std::move(product.states);
-  view.where = ProductText(plan);
-  return view;
 }
 
 } // namespace
@@ -324,9 +285,11 @@ PlanView MakePlanView(const PlanSource& source, const PlanOptions& plan, const R
                             : "";
   if (IsColumnProduct(plan.level))
   {
-    PlanView view = MakeProductView(volume, plan, loop);
-    view.where += sharpened;
-    return view;
+    if (!plan.array.empty() && plan.array != ToString(volume.moment))
+    {
+      throw Error("echo tops and liquid are computed of REF, not of " + plan.array);
+    }
+    return {MakeProduct(volume, plan, loop), ProductText(plan) + sharpened};
   }
   if (plan.level == PlanLevel::Composite)
   {

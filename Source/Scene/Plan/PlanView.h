@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Scene/Plan/PlanOptions.h"
+#include "nexrad/Products/ColumnProducts.h"
 #include "nexrad/Products/VoxelLines.h"
 
 #include <cstddef>
@@ -13,6 +13,41 @@ class vtkImageData;
 
 namespace nexrad::scene
 {
+
+/// Which voxel of each column a map shows, or what is computed of all of them.
+enum class PlanLevel
+{
+  Composite,    ///< that of the largest value; of VEL, of the largest speed
+  Lowest,       ///< the lowest that was scanned
+  Height,       ///< that at one height
+  EchoTop,      ///< the height at which reflectivity falls below a threshold (P2)
+  Liquid,       ///< the vertically integrated liquid of the reflectivity (P3)
+  LiquidDensity ///< that through the height of the echo top (P4)
+};
+
+/// A map in place of the volume.
+struct PlanOptions
+{
+  PlanLevel level = PlanLevel::Composite;
+  double height = 0.0; ///< m above mean sea level, of PlanLevel::Height
+  std::string array;   ///< which of the volume's arrays, as "REF_age"; empty: the moment. Products
+                       ///< of whole columns have none
+  double threshold = 18.0; ///< dBZ, of PlanLevel::EchoTop and LiquidDensity
+
+  bool operator==(const PlanOptions& other) const
+  {
+    return level == other.level && height == other.height && array == other.array &&
+           threshold == other.threshold;
+  }
+};
+
+/// Whether a map is computed of the reflectivity of all voxels of a column; other maps show one
+/// voxel of it.
+constexpr bool IsColumnProduct(PlanLevel level)
+{
+  return level == PlanLevel::EchoTop || level == PlanLevel::Liquid ||
+         level == PlanLevel::LiquidDensity;
+}
 
 /// What a map is made of, where it is: a copy of a whole volume takes longer than its map.
 struct PlanSource
@@ -36,22 +71,15 @@ void ForEachAncillaryArray(const PlanSource& source, const Visit& visit)
   visit("site", source.nearestSite);
 }
 
-/// That of a volume, which must outlive it.
-PlanSource SourceOf(const GriddedVolume& volume);
-
 /// That of a volume of values or of codes (vtkNexradImageConversion.h), which must outlive it.
 /// Throws Error, naming the array, for a volume without the arrays of a moment.
 PlanSource SourceOf(vtkImageData* volume);
 
-/// One value of each column of a volume, as a map shows them.
-struct PlanView
+/// One value of each column of a volume, as a map shows them; without meaning where nothing is
+/// known. States of the moment are the voxel's; of an ancillary array Echo where there is a value,
+/// else that of the moment, and NotScanned where column filling made the value without any radar.
+struct PlanView : ColumnProduct
 {
-  int width = 0;             ///< columns to the east
-  int height = 0;            ///< and to the north
-  std::vector<float> values; ///< east fastest, then north; without meaning where nothing is known
-  /// Of the moment: the voxel's. Of an ancillary array: Echo where there is a value, else that of
-  /// the moment; NotScanned where column filling made the value without any radar.
-  std::vector<VoxelState> states;
   std::string where; ///< which voxels these are, for a caption
 };
 

@@ -93,12 +93,6 @@ ColourScale WithoutRamps(const ColourScale& scale)
   return cut;
 }
 
-bool HasRamps(const ColourTable& table)
-{
-  return std::any_of(
-    table.begin(), table.end(), [](const ColourBin& bin) { return bin.ramp.has_value(); });
-}
-
 namespace
 {
 
@@ -199,6 +193,12 @@ BarLayout ValueLayout(const ColourScale& scale, double mostLabels)
   return layout;
 }
 
+bool HasRamps(const ColourTable& table)
+{
+  return std::any_of(
+    table.begin(), table.end(), [](const ColourBin& bin) { return bin.ramp.has_value(); });
+}
+
 BarLayout LayoutOf(const ColourScale& scale, const std::array<int, 2>& size, const TextStyle& style)
 {
   constexpr double lineHeight = 1.15; // of labels, in letters
@@ -292,33 +292,25 @@ vtkSmartPointer<vtkActor2D> MakeEdge(
 
 } // namespace
 
-double LeftOfColourBar(const ColourScale& scale, const std::array<int, 2>& size,
-  const TextStyle& style, TextPictures& pictures)
-{
-  const BarLayout layout = LayoutOf(scale, size, style);
-  const double bar = (RightEdge(layout, size, style, pictures) - barWidth) * size[0];
-  const double unit = size[0] - GapOf(style) - pictures.Get(scale.unit, style).Size()[0];
-  return std::min(bar, unit);
-}
-
-std::vector<vtkSmartPointer<vtkProp>> MakeColourBar(const ColourScale& scale,
-  const std::array<int, 2>& size, const TextStyle& style, const Colour& edge,
-  TextPictures& pictures)
+ColourBar MakeColourBar(const ColourScale& scale, const std::array<int, 2>& size,
+  const TextStyle& style, const Colour& edge, TextPictures& pictures)
 {
   const BarLayout layout = LayoutOf(scale, size, style);
   const double right = RightEdge(layout, size, style, pictures);
-  std::vector<vtkSmartPointer<vtkProp>> props = {
-    MakeBoxes(scale.bins, layout.edges, size, right), MakeEdge(size, right, edge)};
+  const double unit = size[0] - GapOf(style) - pictures.Get(scale.unit, style).Size()[0];
+  ColourBar bar;
+  bar.left = std::min((right - barWidth) * size[0], unit);
+  bar.props = {MakeBoxes(scale.bins, layout.edges, size, right), MakeEdge(size, right, edge)};
   for (const BarLabel& label : layout.labels)
   {
-    props.push_back(
+    bar.props.push_back(
       pictures.Get(label.text, style)
         .MakeCaption({right + GapOf(style) / size[0], HeightOf(label.place)}, LabelSide::Right));
   }
-  const double left = LeftOfColourBar(scale, size, style, pictures) / size[0];
-  props.push_back(pictures.Get(scale.unit, style)
-                    .MakeCaption({left, top + 0.9 * style.size / size[1]}, LabelSide::Right));
-  return props;
+  bar.props.push_back(
+    pictures.Get(scale.unit, style)
+      .MakeCaption({bar.left / size[0], top + 0.9 * style.size / size[1]}, LabelSide::Right));
+  return bar;
 }
 
 } // namespace nexrad::scene

@@ -46,20 +46,19 @@ std::optional<Colour> ColourAt(const ColourScale& scale, double value);
 /// The same scale with each ramp cut into bins of one colour each, for what draws no ramps.
 ColourScale WithoutRamps(const ColourScale& scale);
 
-/// Whether a table has a ramp.
-bool HasRamps(const ColourTable& table);
+/// A colour bar at the right edge of a picture.
+struct ColourBar
+{
+  std::vector<vtkSmartPointer<vtkProp>> props;
+  double left = 0.0; ///< pixels, where the bar and its unit begin
+};
 
 /// The colours of a scale as a column of boxes at the right edge of a picture of that size in
 /// pixels, with the values at which they begin, or their labels, and the unit above. The boxes show
 /// the colours of the scale exactly, within a thin line of the colour `edge`. Where the boxes are
 /// lower than letters, some values are left out. A scale with ramps has boxes as high as they are
 /// wide in values, and round values beside them.
-std::vector<vtkSmartPointer<vtkProp>> MakeColourBar(const ColourScale& scale,
-  const std::array<int, 2>& size, const TextStyle& style, const Colour& edge,
-  TextPictures& pictures);
-
-/// Where the bar and its unit begin, in pixels from the left.
-double LeftOfColourBar(const ColourScale& scale, const std::array<int, 2>& size,
-  const TextStyle& style, TextPictures& pictures);
+ColourBar MakeColourBar(const ColourScale& scale, const std::array<int, 2>& size,
+  const TextStyle& style, const Colour& edge, TextPictures& pictures);
 
 } // namespace nexrad::scene

@@ -6,27 +6,27 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace nexrad::scene
 {
+
+double RoundLength(double limit)
+{
+  const double decade = std::pow(10.0, std::floor(std::log10(limit)));
+  for (const double factor : {5.0, 2.0})
+  {
+    if (factor * decade <= limit * (1.0 + 1e-9))
+    {
+      return factor * decade;
+    }
+  }
+  return decade;
+}
+
 namespace
 {
 
-// The corner of the ground that is nearest to the camera.
-int NearestCorner(const SceneFrame& frame, const CameraView& view)
-{
-  const auto right = RightOf(view);
-  return FarthestCorner(frame.Framed(), {right[1], -right[0]});
-}
-
-} // namespace
-
-ScenePoint CornerOfBox(const std::array<double, 6>& box, int index)
-{
-  return {box[index & 1], box[2 + (index >> 1 & 1)], box[4 + (index >> 2)]};
-}
-
+// Index of the corner of the ground that lies farthest along a direction of x and y.
 int FarthestCorner(const std::array<double, 6>& box, const std::array<double, 2>& direction)
 {
   int best = 0;
@@ -44,6 +44,15 @@ int FarthestCorner(const std::array<double, 6>& box, const std::array<double, 2>
   return best;
 }
 
+// The corner of the ground that is nearest to the camera.
+int NearestCorner(const SceneFrame& frame, const CameraView& view)
+{
+  const auto right = RightOf(view);
+  return FarthestCorner(frame.Framed(), {right[1], -right[0]});
+}
+
+// Round heights in the domain, in km above mean sea level: about three, and the ends where they are
+// round.
 std::vector<double> RoundHeights(const SceneFrame& frame)
 {
   const auto& box = frame.Framed();
@@ -66,9 +75,11 @@ std::vector<double> RoundHeights(const SceneFrame& frame)
   return heights;
 }
 
-std::unique_ptr<LineBuilder> MakeEdges(const SceneFrame& frame, const CameraView& view, bool open)
+// Edges of the domain: those of the ground, and of the two walls that are far from the camera; all
+// where not `open`.
+LineBuilder MakeEdges(const SceneFrame& frame, const CameraView& view, bool open)
 {
-  auto lines = std::make_unique<LineBuilder>();
+  LineBuilder lines;
   const int nearest = NearestCorner(frame, view);
   for (int corner = 0; corner < 8; ++corner)
   {
@@ -79,16 +90,17 @@ std::unique_ptr<LineBuilder> MakeEdges(const SceneFrame& frame, const CameraView
       const bool before = other >= 4 && ((corner & 3) == nearest || (other & 3) == nearest);
       if (other != corner && !(open && before))
       {
-        lines->Add({CornerOfBox(frame.Framed(), corner), CornerOfBox(frame.Framed(), other)});
+        lines.Add({CornerOfBox(frame.Framed(), corner), CornerOfBox(frame.Framed(), other)});
       }
     }
   }
   return lines;
 }
 
-std::unique_ptr<LineBuilder> MakeHeightLines(const SceneFrame& frame, const CameraView& view)
+// Lines at the round heights on the two far walls.
+LineBuilder MakeHeightLines(const SceneFrame& frame, const CameraView& view)
 {
-  auto lines = std::make_unique<LineBuilder>();
+  LineBuilder lines;
   const auto& box = frame.Framed();
   const int nearest = NearestCorner(frame, view);
   for (const double height : RoundHeights(frame))
@@ -103,23 +115,13 @@ std::unique_ptr<LineBuilder> MakeHeightLines(const SceneFrame& frame, const Came
         line.push_back(CornerOfBox(box, corner));
         line.back()[2] = z;
       }
-      lines->Add(line);
+      lines.Add(line);
     }
   }
   return lines;
 }
 
-namespace
-{
-
 constexpr double steepTilt = 70.0; // degrees; above, heights have no length in the picture
-
-std::string Number(double value)
-{
-  std::ostringstream stream;
-  stream << value;
-  return stream.str();
-}
 
 void AddHeights(
   ScaleLayer& layer, const SceneFrame& frame, const CameraView& view, const TextStyle& style)
@@ -135,8 +137,8 @@ void AddHeights(
     const double z = frame.Height(height * 1000.0);
     const ScenePoint end = {foot[0] - tick * right[0], foot[1] - tick * right[1], z};
     ticks.Add({{foot[0], foot[1], z}, end});
-    layer.labels.push_back({Number(height) + (height == heights.back() ? " km" : ""), end, style,
-      {LabelSide::Left}, 0.3 * style.size});
+    layer.labels.push_back({NumberWord(height) + (height == heights.back() ? " km" : ""), end,
+      style, {LabelSide::Left}, 0.3 * style.size});
   }
   layer.props.push_back(ticks.MakeActor(style.colour, 1.5));
 }
@@ -191,8 +193,8 @@ void AddLength(ScaleLayer& layer, const NearEdge& edge, const TextStyle& style)
   layer.props.push_back(lines.MakeActor(style.colour, 1.5));
   layer.outline.push_back(edge.At(0.0, before + tick));
   layer.outline.push_back(edge.At(length, before + tick));
-  layer.labels.push_back({Number(length) + " km", edge.At(length / 2.0, before + 0.5 * tick), style,
-    {LabelSide::Below}, 0.25 * style.size});
+  layer.labels.push_back({NumberWord(length) + " km", edge.At(length / 2.0, before + 0.5 * tick),
+    style, {LabelSide::Below}, 0.25 * style.size});
 }
 
 // An arrow on the ground at the left end of the edge, wholly before it.
@@ -226,19 +228,6 @@ void AddNorth(ScaleLayer& layer, const NearEdge& edge, const TextStyle& style)
 
 } // namespace
 
-double RoundLength(double limit)
-{
-  const double decade = std::pow(10.0, std::floor(std::log10(limit)));
-  for (const double factor : {5.0, 2.0})
-  {
-    if (factor * decade <= limit * (1.0 + 1e-9))
-    {
-      return factor * decade;
-    }
-  }
-  return decade;
-}
-
 ScaleLayer MakeScaleLayer(
   const SceneFrame& frame, const CameraView& view, bool walls, int textSize, const Theme& theme)
 {
@@ -250,12 +239,12 @@ ScaleLayer MakeScaleLayer(
   }
   const bool flat = frame.Framed()[5] <= frame.Framed()[4];
   const bool steep = std::abs(view.tilt) >= steepTilt;
-  layer.props.push_back(MakeEdges(frame, view, !steep && !flat)->MakeActor(theme.frame, 1.0));
+  layer.props.push_back(MakeEdges(frame, view, !steep && !flat).MakeActor(theme.frame, 1.0));
   if (!steep && !flat)
   {
     if (walls)
     {
-      layer.props.push_back(MakeHeightLines(frame, view)->MakeActor(theme.wall, 1.0));
+      layer.props.push_back(MakeHeightLines(frame, view).MakeActor(theme.wall, 1.0));
     }
     AddHeights(layer, frame, view, style);
   }

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -153,8 +154,6 @@ vtkSmartPointer<vtkImageData> Compose(
   image->SetDimensions(letters.width, letters.height, 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
   auto* pixel = static_cast<unsigned char*>(image->GetScalarPointer());
-  const auto byte = [](double value)
-  { return static_cast<unsigned char>(std::lround(255.0 * std::clamp(value, 0.0, 1.0))); };
   for (int y = 0; y < letters.height; ++y)
   {
     for (int x = 0; x < letters.width; ++x)
@@ -165,9 +164,10 @@ vtkSmartPointer<vtkImageData> Compose(
       const double share = opacity > 0.0 ? front / opacity : 0.0;
       for (std::size_t i = 0; i < 3; ++i)
       {
-        *pixel++ = byte(share * style.colour[i] + (1.0 - share) * style.rim[i]);
+        *pixel++ =
+          ToByte(std::clamp(share * style.colour[i] + (1.0 - share) * style.rim[i], 0.0, 1.0));
       }
-      *pixel++ = byte(opacity);
+      *pixel++ = ToByte(std::clamp(opacity, 0.0, 1.0));
     }
   }
   return image;
@@ -205,6 +205,14 @@ vtkSmartPointer<vtkActor2D> MakeActor(vtkImageData* image, double left, double b
 }
 
 } // namespace
+
+std::string NumberWord(double value, int digits)
+{
+  std::ostringstream text;
+  text.precision(digits);
+  text << value;
+  return text.str();
+}
 
 double PixelBox::Shared(const PixelBox& other) const
 {

@@ -18,6 +18,9 @@ class vtkProp;
 namespace nexrad::scene
 {
 
+/// A number as pictures write it, with at most so many digits that count.
+std::string NumberWord(double value, int digits = 6);
+
 /// How letters look.
 struct TextStyle
 {

@@ -21,6 +21,11 @@
 namespace nexrad::scene
 {
 
+ScenePoint CornerOfBox(const std::array<double, 6>& box, int index)
+{
+  return {box[index & 1], box[2 + (index >> 1 & 1)], box[4 + (index >> 2)]};
+}
+
 LineBuilder::LineBuilder()
   : lines(vtkSmartPointer<vtkPolyData>::New())
 {
@@ -30,8 +35,6 @@ LineBuilder::LineBuilder()
   lines->SetLines(cells);
 }
 
-LineBuilder::~LineBuilder() = default;
-
 void LineBuilder::Add(const std::vector<ScenePoint>& points)
 {
   lines->GetLines()->InsertNextCell(static_cast<int>(points.size()));
@@ -39,24 +42,6 @@ void LineBuilder::Add(const std::vector<ScenePoint>& points)
   {
     lines->GetLines()->InsertCellPoint(lines->GetPoints()->InsertNextPoint(point.data()));
   }
-}
-
-std::vector<std::vector<ScenePoint>> LineBuilder::Polylines() const
-{
-  std::vector<std::vector<ScenePoint>> polylines;
-  for (vtkIdType i = 0; i < lines->GetNumberOfLines(); ++i)
-  {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    lines->GetLines()->GetCellAtId(i, count, ids);
-    polylines.emplace_back();
-    for (vtkIdType k = 0; k < count; ++k)
-    {
-      polylines.back().emplace_back();
-      lines->GetPoint(ids[k], polylines.back().back().data());
-    }
-  }
-  return polylines;
 }
 
 vtkSmartPointer<vtkActor> LineBuilder::MakeActor(

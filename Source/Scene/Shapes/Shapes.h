@@ -17,17 +17,17 @@ namespace nexrad::scene
 
 using ScenePoint = std::array<double, 3>;
 
+/// Corner of a box (west, east, south, north, bottom, top): bit 0 of the index is east, bit 1
+/// north, bit 2 top.
+ScenePoint CornerOfBox(const std::array<double, 6>& box, int index);
+
 /// Collects polylines and makes one actor of them.
 class LineBuilder
 {
 public:
   LineBuilder();
-  ~LineBuilder();
 
   void Add(const std::vector<ScenePoint>& points);
-
-  /// What was added.
-  std::vector<std::vector<ScenePoint>> Polylines() const;
 
   /// An unlit actor. `width` in pixels, `opacity` 0…1.
   vtkSmartPointer<vtkActor> MakeActor(

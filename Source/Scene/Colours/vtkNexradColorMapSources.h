@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef vtkNexradTransferFunctionPresets_h
-#define vtkNexradTransferFunctionPresets_h
+// Where colour maps come from: files and presets.
+#ifndef vtkNexradColorMapSources_h
+#define vtkNexradColorMapSources_h
 
 #include "vtkNexradColorMap.h"
 
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
 
-/// Names of the presets, the default first, each with that of the array that it is for, as "REF".
-const std::vector<std::pair<const char*, const char*>>& vtkNexradTransferFunctionPresetNames();
+/// Reads a file of a colour map by the ending of its name: .json, .pal or .csv. Returns an empty
+/// string, or says what is wrong; then the map is of no use.
+std::string vtkNexradReadColorMap(const std::filesystem::path& path, vtkNexradColorMap& map);
 
-/// A preset by its name; false when there is none of that name.
-bool vtkNexradTransferFunctionPreset(const std::string& name, vtkNexradColorMap& map);
+/// The presets, the default first.
+const std::vector<vtkNexradColorMap>& vtkNexradTransferFunctionPresets();
 
 /// An iso-value and the opacity of its surface, 0 to 1.
 using vtkNexradIsoShell = std::pair<double, double>;
