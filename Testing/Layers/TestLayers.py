@@ -28,7 +28,10 @@ class ThisTree(unittest.TestCase):
         self.expect_none(layers.check_modules)
 
     def test_folders_include_each_other_in_no_circle(self):
-        self.expect_none(layers.check_circles)
+        self.expect_none(layers.check_circles_of_folders)
+
+    def test_files_include_each_other_in_no_circle(self):
+        self.expect_none(layers.check_circles_of_files)
 
     def test_sources_have_headers_of_their_names(self):
         self.expect_none(layers.check_own_headers)
@@ -80,7 +83,8 @@ class MadeUpTrees(unittest.TestCase):
 
     def test_without_a_fault(self):
         for check in (layers.check_core_order, layers.check_core_without_vtk, layers.check_modules,
-                      layers.check_circles, layers.check_own_headers):
+                      layers.check_circles_of_folders, layers.check_circles_of_files,
+                      layers.check_own_headers):
             with self.subTest(check.__name__):
                 self.assertEqual(check(self.root), [])
 
@@ -110,12 +114,18 @@ class MadeUpTrees(unittest.TestCase):
 
     def test_a_circle_of_two_folders(self):
         self.write("Source/Rendering/Tiles/vtkTilePolygon.h", '#include "vtkMapper.h"')
-        self.expect_one(layers.check_circles, "Source/Rendering, Source/Rendering/Tiles",
+        self.expect_one(layers.check_circles_of_folders, "Source/Rendering, Source/Rendering/Tiles",
                         "vtkTilePolygon.h includes Source/Rendering/vtkMapper.h")
 
     def test_a_circle_of_three_folders(self):
         self.write("Source/Core/System/Error.h", '#include "nexrad/Motion/Field.h"')
-        self.expect_one(layers.check_circles, "Source/Core/Model, Source/Core/Motion, Source/Core/System")
+        self.expect_one(layers.check_circles_of_folders, "Source/Core/Model, Source/Core/Motion, Source/Core/System")
+
+    def test_a_circle_of_two_files(self):
+        self.write("Source/Core/Model/Ray.h", '#include "nexrad/Model/Site.h"')
+        self.write("Source/Core/Model/Site.cxx", '#include "nexrad/Model/Site.h"', '#include "nexrad/Model/Ray.h"')
+        self.expect_one(layers.check_circles_of_files, "Source/Core/Model/Ray, Source/Core/Model/Site",
+                        "Ray.h includes Source/Core/Model/Site.h")
 
     def test_a_source_without_its_header(self):
         self.write("Source/Core/Model/Day.cxx", '#include "nexrad/Model/Site.h"')

@@ -25,7 +25,7 @@ MAY_INCLUDE = {
 # Sources without a header of their own name, and why: the first pattern that fits the path counts.
 NO_HEADER = {
     "*/main.cxx": "holds main alone",
-    "Source/Application/*Command.cxx": "is declared in Commands/Command.h",
+    "Source/Application/*Command.cxx": "is declared in Commands/CommandLine.h",
     "*LibraryEntry.cxx": "holds the functions that a program finds in a library by name",
     "Source/Rendering/Override/vtkTextureSliceOverride.cxx": "runs by being loaded",
     "Testing/*/Test*.cxx": "is a test",
@@ -34,6 +34,11 @@ NO_HEADER = {
     "Testing/Fuzz/*.cxx": "is half of a program, which a fuzzer's library can replace",
     "Testing/Package/*/*.cxx": "is a program of somebody else",
 }
+
+# The mapper of slices and the parts that it hands itself to: they draw a frame together, and count as one file.
+MAPPER = {"Source/Rendering/" + name for name in (
+    "vtkOpenGLTextureSliceVolumeMapper", "vtkTextureSliceEmptySpace", "vtkTextureSliceParts", "vtkTextureSliceRequest",
+    "vtkTextureSliceShadows", "vtkTextureSliceTarget", "vtkTextureSliceWays")}
 
 SOURCES = (".c", ".cxx", ".glsl", ".h", ".hxx", ".py")
 INCLUDE = re.compile(r'^\s*#\s*include\s+["<]([^">]+)[">]', re.MULTILINE)
@@ -127,29 +132,41 @@ def reachable(start, arrows):
     seen = set()
     waiting = [start]
     while waiting:
-        for folder in arrows.get(waiting.pop(), ()):
-            if folder not in seen:
-                seen.add(folder)
-                waiting.append(folder)
+        for part in arrows.get(waiting.pop(), ()):
+            if part not in seen:
+                seen.add(part)
+                waiting.append(part)
     return seen
 
 
-def check_circles(root):
-    """Folders that include each other, directly or by way of others."""
+def find_circles(root, part_of):
+    """Parts (folders, say) of the tree that include each other, directly or by way of others."""
     arrows = collections.defaultdict(dict)
     for includer, included in Includes(root).of_tree:
-        if folder_of(includer) != folder_of(included):
-            arrows[folder_of(includer)].setdefault(folder_of(included), f"{includer} includes {included}")
-    reach = {folder: reachable(folder, arrows) for folder in list(arrows)}
+        if part_of(includer) != part_of(included):
+            arrows[part_of(includer)].setdefault(part_of(included), f"{includer} includes {included}")
+    reach = {part: reachable(part, arrows) for part in list(arrows)}
     faults = []
     told = set()
-    for folder in sorted(reach):
-        if folder in reach[folder] and folder not in told:
-            circle = [other for other in sorted(reach) if other in reach[folder] and folder in reach[other]]
+    for part in sorted(reach):
+        if part in reach[part] and part not in told:
+            circle = [other for other in sorted(reach) if other in reach[part] and part in reach[other]]
             told.update(circle)
             examples = [text for one in circle for other, text in sorted(arrows[one].items()) if other in circle]
             faults.append(f"{', '.join(circle)}: include each other in a circle: {'; '.join(examples)}")
     return faults
+
+
+def check_circles_of_folders(root):
+    return find_circles(root, folder_of)
+
+
+def check_circles_of_files(root):
+    """A header and its source count as one, and so do those of MAPPER."""
+    def file_of(path):
+        name = os.path.splitext(path)[0]
+        return min(MAPPER) if name in MAPPER else name
+    return find_circles(root, file_of)
 
 
 def sources_without_header(root):
