@@ -115,17 +115,12 @@ BENCHMARK(UnpackGzip)->Unit(benchmark::kMillisecond);
 void UnpackRecords(benchmark::State& state)
 {
   const Bytes& file = FileIn(Level2Container::LdmBzip2);
-  std::vector<Damage> damage;
-  const auto records =
-    FindLdmRecords({file.data(), file.size()}, VolumeHeader::bytes, KeepIn(damage));
+  const auto records = FindLdmRecords(
+    {file.data(), file.size()}, VolumeHeader::bytes, [](std::size_t, const std::string&) {});
   for (auto _ : state)
   {
     BunzipInParallel(records, std::size_t(64) << 20,
-      [](std::size_t, Bunzipped&& content)
-      {
-        benchmark::DoNotOptimize(content.bytes.data());
-        return true;
-      });
+      [](std::size_t, Unpacked&& content) { benchmark::DoNotOptimize(content.bytes.data()); });
   }
   SetBytes(state, file.size());
 }
@@ -151,7 +146,8 @@ void DealiasVolume(benchmark::State& state, const char* name)
     state.SkipWithError("real radar files not found: set NEXRAD_TEST_DATA");
     return;
   }
-  const VelocityVolume folded = MakeVelocityVolume(ReadLevel2(*folder / "level2" / name));
+  const VelocityVolume folded =
+    MakeVelocityVolume(MakePolarVolume(ReadLevel2(*folder / "level2" / name), MomentName::VEL));
   DealiasOptions options;
   options.loop = ThreadLoop(2);
   for (auto _ : state)

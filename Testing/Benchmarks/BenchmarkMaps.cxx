@@ -3,7 +3,8 @@
 // what a window that shows the scene waits for. Of codes, as volume files are read, and of values,
 // as radar files are merged. Usage: BenchmarkMaps INPUT, a volume as `nexrad3d grid` writes it, for
 // example with `--dims 256x256x128`. Needs no X server.
-#include "vtkNexradVolumeFile.h"
+#include "nexrad/Codec/NxvReader.h"
+#include "vtkNexradImageConversion.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -39,7 +40,7 @@ double UpdateTime(vtkNexradVolumeScene* scene, const char* map)
 void MeasureMaps(const char* path, bool codes)
 {
   vtkNew<vtkImageData> volume;
-  vtkNexradReadVolumeFile({path, {}, {}, codes, 0}, volume);
+  vtkNexradReadVolumeFile(path, {}, codes, volume);
   vtkNew<vtkNexradVolumeScene> scene;
   scene->SetVolume(volume);
   std::printf("| %s |", codes ? "codes" : "values");

@@ -3,9 +3,9 @@
 // threads, with their volumes in memory: the storm as scanned, and the same rays with an echo in
 // every gate, both along the storm's motion and linear in time. The geometry, making the volumes
 // ready (once a run both), and finding the motion (once a step at most) are measured apart.
+#include "PolarMerge.h"
 #include "nexrad/Grid/FinerBox.h"
 #include "nexrad/Grid/MakeGrid.h"
-#include "nexrad/Gridding/BeamMerge.h"
 #include "nexrad/Motion/MotionTracker.h"
 #include "nexrad/Series/VolumeSelection.h"
 #include "nexrad/Simulation/SimulatedDay.h"
@@ -16,6 +16,7 @@
 #include <map>
 
 using namespace nexrad;
+using namespace nexrad::testing;
 using namespace std::chrono_literals;
 
 namespace
@@ -111,10 +112,10 @@ void MeasureMerge(
 {
   const GridSpecification grid = GridOf(static_cast<int>(state.range(0)));
   const RangeLoop loop = ThreadLoop(2);
-  const BeamVolumes storm = BeamMerger(grid).Prepare(PointersTo(Storm()));
+  const BeamVolumes storm = PrepareAll(BeamMerger(grid), PointersTo(Storm()));
   const auto motion = alongMotion ? MotionTracker(grid).Find(storm, evening) : nullptr;
   BeamMerger merger(grid);
-  const BeamVolumes ready = merger.Prepare(PointersTo(volumes));
+  const BeamVolumes ready = PrepareAll(merger, PointersTo(volumes));
   merger.Merge(ready, evening, motion.get(), loop); // makes the geometry ready
   for (auto iteration : state)
   {
@@ -150,7 +151,7 @@ void MeasureBox(benchmark::State& state, const std::vector<PolarVolume>& volumes
 {
   const GridSpecification domain = GridOf(256);
   const RangeLoop loop = ThreadLoop(2);
-  const BeamVolumes ready = BeamMerger(domain).Prepare(PointersTo(volumes));
+  const BeamVolumes ready = PrepareAll(BeamMerger(domain), PointersTo(volumes));
   std::vector<FinerBox> boxes;
   for (const double east : {-30e3, -20e3})
   {
@@ -204,7 +205,7 @@ void FindMotion(benchmark::State& state)
 {
   const GridSpecification grid = GridOf(static_cast<int>(state.range(0)));
   BeamMerger merger(grid);
-  const BeamVolumes ready = merger.Prepare(PointersTo(Storm()));
+  const BeamVolumes ready = PrepareAll(merger, PointersTo(Storm()));
   MotionTracker tracker(grid);
   const RangeLoop loop = ThreadLoop(2);
   tracker.Find(ready, evening, loop); // makes the geometry ready

@@ -6,9 +6,8 @@
 //
 // The grid has 0.01° and 33 levels; the block that is merged is the box about all that the radar
 // sees. Times are those of one core, medians of five runs, of the processor's clock.
-#include "nexrad/Beams/VolumeSummary.h"
+#include "PolarMerge.h"
 #include "nexrad/Grid/MakeGrid.h"
-#include "nexrad/Gridding/BeamMerge.h"
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Motion/MotionTracker.h"
 #include "nexrad/System/Error.h"
@@ -29,6 +28,7 @@
 #include <utility>
 
 using namespace nexrad;
+using namespace nexrad::testing;
 
 namespace
 {
@@ -159,7 +159,7 @@ void MeasureMerge(const PolarVolume& before, const PolarVolume& after)
   const Time time = before.end + (after.start - before.end) / 2;
   BeamMerger merger(grid);
   merger.SetBlock(block);
-  const BeamVolumes ready = merger.Prepare({&before, &after});
+  const BeamVolumes ready = PrepareAll(merger, {&before, &after});
   const SiteGeometry geometry(grid, site, reach, BeamModel(), block);
   PrintTime("geometry of the radar, once a run",
     Cost([&] { SiteGeometry(grid, site, reach, BeamModel(), block); }));

@@ -6,9 +6,7 @@
 // of each.
 #include "FuzzTarget.h"
 
-#include "nexrad/Level2/ChunkFolder.h"
 #include "nexrad/Level2/Level2File.h"
-#include "nexrad/Live/ChunkExtent.h"
 #include "nexrad/Live/ChunkedVolume.h"
 
 #include <algorithm>

@@ -28,10 +28,10 @@ MergeOptions OptionsOf(std::size_t choice)
     options.method = MergeMethod::Thesis;
     break;
   case 1:
-    options.moment = MomentName::AZSHEAR;
+    options.moments = {MomentName::AZSHEAR};
     break;
   case 2:
-    options.furtherMoments = {MomentName::VEL};
+    options.moments = {MomentName::REF, MomentName::VEL};
     break;
   default:
     break;

@@ -2,7 +2,7 @@
 // Feeds texts to the reader of session files (.nxsession).
 #include "FuzzTarget.h"
 
-#include "Options/OptionTexts.h"
+#include "Options/DrawingOptions.h"
 #include "Options/SessionFile.h"
 #include "nexrad/System/Error.h"
 

@@ -149,21 +149,18 @@ void BareDecompression::FindRecords()
   {
     return;
   }
-  std::vector<Damage> damage;
-  for (const LdmRecord& record : FindLdmRecords(plain, start, KeepIn(damage)))
+  const auto refuse = [](std::size_t offset, const std::string& what)
+  { throw Error("offset " + std::to_string(offset) + ": " + what); };
+  for (const LdmRecord& record : FindLdmRecords(plain, start, refuse))
   {
-    const Bunzipped content = Bzip2Reader().Run(record.compressed, largestFile);
+    const Unpacked content = Bzip2Reader().Run(record.compressed, largestFile);
     if (!content.problem.empty())
     {
-      throw Error("offset " + std::to_string(record.offset) + ": " + content.problem);
+      refuse(record.offset, content.problem);
     }
     largestRecord = std::max(largestRecord, content.bytes.size());
     records.push_back({static_cast<std::size_t>(record.compressed.Data() - plain.Data()),
       record.compressed.Size()});
-  }
-  if (!damage.empty())
-  {
-    throw Error("offset " + std::to_string(damage.front().offset) + ": " + damage.front().what);
   }
 }
 

@@ -2,7 +2,6 @@
 #include "Tables/Benchmark.h"
 
 #include "Commands/SimulatedFiles.h"
-#include "Options/GridOptions.h"
 #include "Options/UnitOptions.h"
 #include "Tables/ThesisFigures.h"
 #include "TestData.h"
@@ -97,7 +96,7 @@ void Prepare(const BenchOptions& options, BenchRequest& request)
   request.files = options.inputs.empty() ? Simulate(options.hours, request.folder / "level2")
                                          : FindInputFiles(options.inputs).paths;
   SeriesOptions series;
-  series.moment = request.options.moment;
+  series.moments = request.options.moments;
   series.requirePosition = true;
   request.scan = ScanInputs(request.files, series).value_or(SeriesScan());
   request.synthetic = std::any_of(request.scan.sites.begin(), request.scan.sites.end(),
@@ -157,7 +156,7 @@ std::vector<Time> StepsOf(const BenchRequest& request)
 {
   if (request.scan.sites.empty())
   {
-    throw Error("no file holds a ray of " + std::string(ToString(request.options.moment)));
+    throw Error("no file holds a ray of " + std::string(ToString(request.options.moments.front())));
   }
   std::vector<Time> times = TimeSteps(
     *request.scan.First(), *request.scan.Last(), request.options.step.value_or(DefaultStep));

@@ -25,6 +25,12 @@ struct BenchRequest
   std::filesystem::path folder; ///< for what is written and removed again
 };
 
+/// "thesis", "beam".
+inline std::string NameOf(MergeMethod method)
+{
+  return method == MergeMethod::Thesis ? "thesis" : "beam";
+}
+
 /// "256x256x128".
 inline std::string FormatDimensions(const std::array<int, 3>& dimensions)
 {

@@ -107,7 +107,7 @@ BenchTable MakeGridTable(const BenchRequest& request)
   const SeriesScan& scan = request.scan;
   BenchTable table;
   table.key = "grid";
-  table.title = std::string("One merged volume, method ") + ToString(request.options.method) +
+  table.title = "One merged volume, method " + NameOf(request.options.method) +
                 ", rays in memory; the first of a run also places the sites on the grid";
   table.columns = {NameColumn("dimensions", "voxels"), NameColumn("sites", "sites"),
     {"first_s", "first, s", 3}, {"volume_s", "each further, s", 3}};

@@ -128,8 +128,7 @@ BenchTable MakeProcessingTable(const BenchRequest& request, const SeriesMeasurem
   BenchTable table;
   table.key = "processing";
   table.title = "Thesis, table 4.1: from radar files to volume files, method " +
-                std::string(ToString(request.options.method)) + "; a day is " +
-                "288 times a volume";
+                NameOf(request.options.method) + "; a day is " + "288 times a volume";
   table.columns = {NameColumn("dimensions", "voxels"),
     GivenColumn("thesis_s_per_volume", "thesis, s a volume"),
     {"s_per_volume", "here, s a volume", 3}, GivenColumn("thesis_min_per_day", "thesis, min a day"),
@@ -175,8 +174,8 @@ BenchTable MakeSeriesTable(const BenchRequest& request, const SeriesMeasurement&
   std::snprintf(megabytes, sizeof megabytes, "%.1f", series.storedBytes / 1e6);
   BenchTable table;
   table.key = "series";
-  table.title = std::string("All files to volume files, method ") +
-                ToString(request.options.method) + ": " + std::to_string(series.files) + " files" +
+  table.title = "All files to volume files, method " + NameOf(request.options.method) + ": " +
+                std::to_string(series.files) + " files" +
                 (series.bare ? ", " + std::string(megabytes) + " MB" : std::string()) +
                 (request.synthetic ? ", SYNTHETIC" : "");
   table.columns = {NameColumn("dimensions", "voxels"), GivenColumn("volumes", "volumes"),
