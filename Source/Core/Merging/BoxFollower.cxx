@@ -62,6 +62,10 @@ BoxFollower::Way BoxFollower::Move(const Way& way, const Velocity& velocity, dou
 std::optional<std::array<double, 2>> BoxFollower::WayTo(
   Time time, const BoxRequest& wanted, const Progress& progress)
 {
+  if (!wanted.followedFrom)
+  {
+    return Way{0.0, 0.0};
+  }
   if (!box || !(*box == wanted))
   {
     box = wanted;

@@ -30,8 +30,9 @@ public:
   BoxFollower(const GridSpecification& domain, const BeamModel& beam, const RangeLoop& loop,
     const std::optional<Velocity>& given, EchoAbout echo);
 
-  /// How far a box that follows its echo has moved along x and y of the domain at a time, in the
-  /// domain's units. Empty when `progress` asked to stop: then the steps that were made are kept.
+  /// How far the box has moved along x and y of the domain at a time, in the domain's units; 0
+  /// where it follows nothing. Empty when `progress` asked to stop: then the steps that were made
+  /// are kept.
   std::optional<std::array<double, 2>> WayTo(
     Time time, const BoxRequest& box, const Progress& progress = {});
 
