@@ -494,10 +494,6 @@ void AddSurroundings(DrawingRows& rows)
     pictureGroup, use, "walls", "No lines of equal height on the walls behind the volume",
     FlagValue(), [](auto& of) -> auto& { return of.scene.heightWalls; }));
   rows.push_back(MakeRow(
-    pictureGroup, use, "plain-sky",
-    "One colour behind the scene, in place of a sky that grows darker upward", FlagValue(),
-    [](auto& of) -> auto& { return of.scene.plainSky; }));
-  rows.push_back(MakeRow(
     pictureGroup, use, "names", "Names of states and provinces on the map", FlagValue(),
     [](auto& of) -> auto& { return of.scene.placeNames; }));
 }

@@ -97,7 +97,7 @@ RadarScene::RadarScene(
   }
   renderer->SetBackground(theme.skyBottom[0], theme.skyBottom[1], theme.skyBottom[2]);
   renderer->SetBackground2(theme.skyTop[0], theme.skyTop[1], theme.skyTop[2]);
-  renderer->SetGradientBackground(!options.plainSky);
+  renderer->GradientBackgroundOn();
   volume->SetProperty(MakeVolumeProperty());
   this->HoldEcho(contents.held);
   this->FollowSize();

@@ -68,7 +68,6 @@ struct SceneOptions
   double ringSpacing = 0.0; ///< m, between rings about each radar; 0: none
   ThemeChoice theme = ThemeChoice::Light;
   bool heightWalls = true;  ///< lines of equal height on the walls behind the volume
-  bool plainSky = false;    ///< one colour behind the scene
   bool placeNames = false;  ///< names of states and provinces on the map
   bool namesOptions = true; ///< captions name options of the program; else settings
   LightOptions light;
@@ -81,8 +80,8 @@ struct SceneOptions
     {
       return std::tie(of.preset, of.colours, of.opacities, of.isoValues, of.colourBy,
         of.exaggeration, of.mapper, of.preIntegration, of.linearInterpolation, of.slices,
-        of.opacityDistance, of.framing, of.ringSpacing, of.theme, of.heightWalls, of.plainSky,
-        of.placeNames, of.namesOptions, of.light, of.plan, of.cut);
+        of.opacityDistance, of.framing, of.ringSpacing, of.theme, of.heightWalls, of.placeNames,
+        of.namesOptions, of.light, of.plan, of.cut);
     };
     return all(*this) == all(other);
   }

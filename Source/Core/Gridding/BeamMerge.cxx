@@ -515,14 +515,6 @@ std::optional<GriddedVolume> BeamMerger::Merge(
   {
     return std::nullopt;
   }
-  for (std::size_t i = 0; volume.moment == MomentName::REF && i < volume.values.size(); ++i)
-  {
-    if (volume.states[i] == VoxelState::Echo && volume.values[i] < options.leastEcho)
-    {
-      volume.states[i] = VoxelState::NoEcho;
-      volume.values[i] = volume.fill;
-    }
-  }
   return volume;
 }
 

@@ -38,7 +38,6 @@ struct BeamMergeOptions
   bool trend = true; ///< between tilts, follow the tilts beyond (Formulas G11) and layers (G12);
                      ///< else G8 alone. Reflectivity in dBZ
   bool fillColumns = false; ///< give values to voxels between and below those scanned (Formulas T7)
-  int leastEcho = -33;      ///< dBZ; echo below it counts as no echo
   bool ancillary = false;   ///< make GriddedVolume::ancillary
   RadarBiases biases;       ///< dB that are taken off reflectivity of these radars before all else
                             ///< (Formulas Q6)

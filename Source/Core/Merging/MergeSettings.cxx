@@ -318,9 +318,6 @@ void AddInterpolation(Rows& rows)
     {"sharpening", "Do not deconvolve the beam width in elevation; of REF"}, FlagValue(),
     [](auto& of) -> auto& { return of.beam.sharpen; }, OfDecibels));
   rows.push_back(MakeSetting<MergeOptions>(
-    {"least-echo", "Echo below this many dBZ counts as no echo; of REF"}, NumberValue(-33, 95),
-    [](auto& of) -> auto& { return of.beam.leastEcho; }, OfReflectivity));
-  rows.push_back(MakeSetting<MergeOptions>(
     {"ancillary", "Add the ancillary arrays: age in s, number of radars, weight, nearest radar"},
     FlagValue(), [](auto& of) -> auto& { return of.beam.ancillary; }, OfBeam));
 }
