@@ -166,10 +166,10 @@ public:
    * 4.2 with GL_ARB_compute_shader). POLYGONS: the outline of the volume, blended once a slice,
    * which is slow and shows how slices work; composite blending without PreIntegration and
    * UseDepthPass alone, else as AUTOMATIC. AUTOMATIC (the default) draws by fragments, times both
-   * shaders with the second frame, once for each card, and goes on by compute where that is twice
-   * as fast; Mesa's software renderer keeps to fragments. A way that the context lacks is replaced
-   * with a warning. The environment variable VTK_TEXTURE_SLICE_WAY (automatic, fragments, compute,
-   * polygons) takes precedence.
+   * shaders with the second frame, once for each thread and renderer, and goes on by compute where
+   * that is twice as fast; Mesa's software renderer keeps to fragments. A way that the context
+   * lacks is replaced with a warning. The environment variable VTK_TEXTURE_SLICE_WAY (automatic,
+   * fragments, compute, polygons) takes precedence.
    */
   enum Ways
   {
