@@ -382,6 +382,18 @@ TEST_F(BackgroundSeriesTest, PausingLoadsTheStepThatIsShownAlone)
   this->WaitUntil([](const auto& state) { return CountLoaded(state) == 5; });
 }
 
+TEST_F(BackgroundSeriesTest, APictureThatWasWaitedForIsDrawnBeforeOthersAreLoaded)
+{
+  options.drawsFirst = true;
+  this->Open(Plan());
+  EXPECT_EQ(this->Shown(0), 0.0);
+  EXPECT_EQ(this->Shown(3), 3.0) << "what is asked for is loaded nevertheless";
+  std::this_thread::sleep_for(std::chrono::milliseconds(50)); // in which others would be loaded
+  EXPECT_EQ(this->CountLoads(), 2U);
+  series->GoOn();
+  this->WaitUntil([](const auto& state) { return CountLoaded(state) == 5; });
+}
+
 TEST_F(BackgroundSeriesTest, PausingStopsTheOpening)
 {
   Plan plan;

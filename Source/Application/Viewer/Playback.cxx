@@ -81,6 +81,7 @@ void Playback::Open(BackgroundSeriesOptions options, std::optional<Time> first)
   boxWaiting = false;
   emit BoxLoaded(nullptr);
   state = {};
+  options.drawsFirst = true;
   series = std::make_unique<BackgroundSeries>(std::move(options));
   emit Changed();
 }
@@ -125,6 +126,7 @@ void Playback::FollowTimes(const std::vector<Time>& before)
 
 vtkSmartPointer<vtkImageData> Playback::Volume(std::size_t wanted)
 {
+  series->GoOn(); // nothing is drawn for it
   return series->Show(wanted);
 }
 
@@ -232,6 +234,11 @@ void Playback::Show()
       const qint64 drawing = time.elapsed() - shownAt.back();
       clock.start(static_cast<int>(std::max<qint64>(0, interval - drawing)));
     }
+  }
+  if (!waiting)
+  {
+    // The picture is drawn by an event that waits already.
+    QTimer::singleShot(0, this, [this] { series->GoOn(); });
   }
   emit Changed();
 }

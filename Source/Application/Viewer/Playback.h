@@ -30,8 +30,8 @@ public:
   /// Waits for the threads of all series that were opened.
   ~Playback() override;
 
-  /// Opens a series in place of the one that is open, whose thread is asked to stop. `wake` of the
-  /// options is set here. The first step is shown when it is loaded.
+  /// Opens a series in place of the one that is open, whose thread is asked to stop. `wake` and
+  /// `drawsFirst` of the options are set here. The first step is shown when it is loaded.
   /// `first`: the time that is shown first; empty: the first step.
   void Open(BackgroundSeriesOptions options, std::optional<Time> first = std::nullopt);
 

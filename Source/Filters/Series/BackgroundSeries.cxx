@@ -64,6 +64,7 @@ vtkSmartPointer<vtkImageData> BackgroundSeries::Show(std::size_t step)
   const std::lock_guard<std::mutex> lock(mutex);
   shown = step;
   const auto found = kept.find(step);
+  awaited = found == kept.end();
   interrupted = found == kept.end() && state.loads && *state.loads != step;
   changed.notify_all(); // what follows the step may be another than before
   return found == kept.end() ? nullptr : found->second.volume.Get();
@@ -127,6 +128,15 @@ vtkSmartPointer<vtkImageData> BackgroundSeries::Box(std::size_t step) const
   const std::lock_guard<std::mutex> lock(mutex);
   const auto found = kept.find(step);
   return found == kept.end() ? nullptr : found->second.box.Get();
+}
+
+void BackgroundSeries::GoOn()
+{
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    draws = false;
+  }
+  changed.notify_all();
 }
 
 void BackgroundSeries::Pause(bool paused)
@@ -309,7 +319,8 @@ bool BackgroundSeries::Lacks(std::size_t step) const
   return found == kept.end() || (box && found->second.volume.image && !found->second.box.IsThere());
 }
 
-// The step to load next; nothing where all are loaded, or there is no memory for more.
+// The step to load next; nothing where all are loaded, there is no memory for more, or the one that
+// is shown is drawn first.
 std::optional<std::size_t> BackgroundSeries::NextStep() const
 {
   const std::size_t count = opened.order.size();
@@ -323,7 +334,7 @@ std::optional<std::size_t> BackgroundSeries::NextStep() const
     largest = std::max(largest, each.Bytes());
   }
   std::size_t following = 0; // bytes of the step that is shown and of those after it
-  for (std::size_t i = 0; i < count && !state.paused; ++i)
+  for (std::size_t i = 0; i < count && !state.paused && !draws; ++i)
   {
     const std::size_t step = (shown + i) % count;
     const auto found = kept.find(step);
@@ -412,6 +423,7 @@ void BackgroundSeries::LoadNext(std::size_t step, std::unique_lock<std::mutex>& 
   }
   state.loaded[step] = loaded.image != nullptr;
   kept[step] = {contents, std::move(loaded), {}};
+  draws = options.drawsFirst && awaited && step == shown;
 }
 
 void BackgroundSeries::Run()

@@ -33,6 +33,9 @@ struct BackgroundSeriesOptions
   std::function<void()> wake;
   /// Bytes that the volumes may take together; but one is always kept.
   std::size_t memory = std::size_t(1) << 30;
+  /// After a step that was waited for, others are loaded only from GoOn on: until then the picture
+  /// of that step has the processors.
+  bool drawsFirst = false;
 };
 
 /// A series that another thread opens and loads. A window must not wait: no call waits for more
@@ -86,6 +89,9 @@ public:
   /// The box of a step. Nothing as long as it is not merged, or no box is set. Throws Error when it
   /// cannot be merged.
   vtkSmartPointer<vtkImageData> Box(std::size_t step) const;
+
+  /// The step that was waited for is drawn (BackgroundSeriesOptions::drawsFirst).
+  void GoOn();
 
   /// Stops the loading of all steps but the one that is shown, and lets it go on. An opening that
   /// is paused fails.
@@ -151,6 +157,8 @@ private:
   std::optional<BoxRequest> box;
   unsigned boxNumber = 0; // how often another box was set
   bool ended = false;
+  bool awaited = true;      // the step that is shown was not there when it was asked for
+  bool draws = false;       // that step is there, and comes before others
   bool reopens = false;     // as soon as nothing is being loaded
   bool interrupted = false; // another step is wanted than the one that is being loaded
   std::thread thread;
