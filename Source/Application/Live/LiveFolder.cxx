@@ -257,20 +257,15 @@ fs::path LiveFolder::NewestVolume() const
   return folder / "newest.nxv";
 }
 
-void LiveFolder::WriteNewest(const GriddedVolume& volume) const
+fs::path LiveFolder::StepVolume(Time time) const
 {
-  WriteNxv(this->NewestVolume(), volume);
-}
-
-void LiveFolder::WriteStep(const GriddedVolume& volume) const
-{
-  WriteNxv(folder / VolumeFileName(volume.time), volume);
+  return folder / VolumeFileName(time);
 }
 
 void LiveFolder::RemoveStep(Time time) const
 {
   std::error_code ignored;
-  fs::remove(folder / VolumeFileName(time), ignored);
+  fs::remove(this->StepVolume(time), ignored);
 }
 
 void LiveFolder::WriteIndex(const std::vector<Time>& steps) const

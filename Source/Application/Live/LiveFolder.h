@@ -86,9 +86,8 @@ public:
   /// when that run had another recipe, or what it left cannot be read.
   LiveState GoOn() const;
 
-  void WriteNewest(const GriddedVolume& volume) const;
-  /// The volume of a time step, under its name.
-  void WriteStep(const GriddedVolume& volume) const;
+  /// The place of the volume of a time step.
+  std::filesystem::path StepVolume(Time time) const;
   /// Removes the volume of a time step, if it is there.
   void RemoveStep(Time time) const;
   void WriteIndex(const std::vector<Time>& steps) const;

@@ -115,7 +115,9 @@ public:
     , clock(theClock)
     , listing(job.folders)
     , intake(job.intake, clock)
-    , series(job.options, vtkNexradRangeLoop())
+    , inBricks(AreInBricks(theJob.written, theJob.options))
+    , series(job.options, vtkNexradRangeLoop(),
+        inBricks ? UseOfWriting(theJob.written, theJob.options) : LiveUse)
     , book(StepRulesOf(job))
     , folder(theFolder)
     , status(theStatus)
@@ -361,6 +363,34 @@ private:
     }
   }
 
+  // Merges the volume at a time, and writes it. False when asked to stop.
+  bool Make(Time time, const fs::path& path)
+  {
+    if (inBricks)
+    {
+      return this->MakeInBricks(time, path);
+    }
+    std::optional<GriddedVolume> volume = series.Merge(time, this->Going(), std::move(memory));
+    if (volume)
+    {
+      WriteNxv(path, *volume, job.written.encoding);
+      memory = std::move(*volume);
+    }
+    return volume.has_value();
+  }
+
+  bool MakeInBricks(Time time, const fs::path& path)
+  {
+    NxvBandWriter bricks(path, series.Grid(), job.written.encoding);
+    const bool made =
+      series.MergeInBands(time, NxvBandWriter::Rows, PackInto(bricks), this->Going());
+    if (made)
+    {
+      bricks.Commit();
+    }
+    return made;
+  }
+
   // The merged volume at the time of the newest ray. False when there is nothing new.
   bool MakeNewest()
   {
@@ -375,13 +405,10 @@ private:
       waitingSince.reset();
       return false;
     }
-    std::optional<GriddedVolume> volume = series.Merge(*newest, this->Going(), std::move(memory));
-    if (!volume)
+    if (!this->Make(*newest, folder.NewestVolume()))
     {
-      return false; // asked to stop
+      return false;
     }
-    folder.WriteNewest(*volume);
-    memory = std::move(*volume);
     newestInputs = inputs;
     status.newest = newest;
     ++report.newest;
@@ -421,13 +448,10 @@ private:
       {
         continue;
       }
-      std::optional<GriddedVolume> volume = series.Merge(step, this->Going(), std::move(memory));
-      if (!volume)
+      if (!this->Make(step, folder.StepVolume(step)))
       {
-        return made; // asked to stop
+        return made;
       }
-      folder.WriteStep(*volume);
-      memory = std::move(*volume);
       book.Make(step, inputs);
       ++report.steps;
       made = true;
@@ -564,6 +588,7 @@ private:
   const LiveClock& clock;
   FolderListing listing;
   LiveIntake intake;
+  const bool inBricks;
   LiveSeries series;
   AwaitedEnds ends;
   StepBook book;

@@ -20,6 +20,7 @@ struct WatchJob
 {
   std::vector<std::filesystem::path> folders; ///< into which volumes or chunks arrive
   std::filesystem::path output;               ///< made when it does not exist
+  VolumeFiles written;                        ///< how the volumes are stored; VolumeFormat::Nxv
   MergeOptions options;
   std::string recipe; ///< all that decides what the volumes contain, beside the files, as text
   IntakeRules intake;

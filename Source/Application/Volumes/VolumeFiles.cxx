@@ -4,6 +4,7 @@
 #include "Volumes/UnfinishedRun.h"
 #include "nexrad/Merging/MergeSettings.h"
 #include "nexrad/System/Error.h"
+#include "vtkNexradThreads.h"
 
 #include <optional>
 
@@ -84,6 +85,15 @@ bool AreInBricks(const VolumeFiles& files, const MergeOptions& options)
   }
   return files.format == VolumeFormat::Nxv && options.method == MergeMethod::Beam &&
          voxels > static_cast<double>(files.largestWhole);
+}
+
+TakeBand PackInto(NxvBandWriter& bricks)
+{
+  return [&bricks, loop = vtkNexradRangeLoop()](GriddedVolume band)
+  {
+    bricks.Add(band, loop);
+    return band;
+  };
 }
 
 VolumeUse UseOfWriting(const VolumeFiles& files, const MergeOptions& options)

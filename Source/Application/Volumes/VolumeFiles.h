@@ -5,6 +5,7 @@
 #include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/Merging/MemoryNeed.h"
 #include "nexrad/Merging/MergeOptions.h"
+#include "nexrad/Merging/TimeMerge.h"
 
 #include <filesystem>
 #include <set>
@@ -55,6 +56,9 @@ void WriteVolumeIndex(const std::filesystem::path& path, const std::vector<std::
 
 /// Whether merged volumes are made and written band after band, in bricks.
 bool AreInBricks(const VolumeFiles& files, const MergeOptions& options);
+
+/// Packs each band into the bricks of a file.
+TakeBand PackInto(NxvBandWriter& bricks);
 
 /// What becomes of the merged volumes that are written: the one before is there, and what is
 /// made of it for its file; of volumes in bricks there is one band.

@@ -221,14 +221,8 @@ private:
   void AddBands(std::size_t step, NxvBandWriter& bricks, const Progress& progress,
     const std::optional<VoxelBlock>& rows = {})
   {
-    const RangeLoop loop = vtkNexradRangeLoop();
-    const auto take = [&](GriddedVolume band)
-    {
-      bricks.Add(band, loop);
-      return band;
-    };
-    this->StopUnless(
-      merger.MergeInBands(merger.Times()[step], NxvBandWriter::Rows, take, progress, rows));
+    this->StopUnless(merger.MergeInBands(
+      merger.Times()[step], NxvBandWriter::Rows, PackInto(bricks), progress, rows));
   }
 
   void MakeInBricks(std::size_t step, const Progress& progress)

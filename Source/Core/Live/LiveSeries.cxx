@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Live/LiveSeries.h"
 
-#include "nexrad/Merging/MemoryNeed.h"
 #include "nexrad/Model/Site.h"
 #include "nexrad/System/Error.h"
 
@@ -28,9 +27,6 @@ SeriesOptions ScanOptionsOf(const MergeOptions& options)
 
 // One moment of one volume of an input, before it is made ready.
 using Moments = std::vector<std::pair<std::size_t, std::shared_ptr<const PolarVolume>>>;
-
-// One volume at a time is merged and written, of nine bytes at most beside those of its values.
-constexpr VolumeUse LiveUse = {0, 9};
 
 // The volumes of each radar that are held while they arrive; how large they are is not known.
 InputSizes InputsOf(std::size_t radars)
@@ -70,12 +66,14 @@ const SeriesVolume* FindNext(const Catalogue& known, const std::string& radar, T
 
 } // namespace
 
-LiveSeries::LiveSeries(const MergeOptions& theOptions, const RangeLoop& loop)
+LiveSeries::LiveSeries(
+  const MergeOptions& theOptions, const RangeLoop& loop, const VolumeUse& theUse)
   : options(theOptions)
   , series(ScanOptionsOf(theOptions))
+  , use(theUse)
   , request(MergeRequestOf(theOptions, loop))
 {
-  RequireMemory(options, InputsOf(1), 1, LiveUse);
+  RequireMemory(options, InputsOf(1), 1, use);
 }
 
 void LiveSeries::PlanGrid()
@@ -87,7 +85,7 @@ void LiveSeries::PlanGrid()
   }
   request.grid =
     GridOf(options, positions, sites.size() == 1 ? sites.begin()->second.second : DefaultRange);
-  RequireMemory(options, InputsOf(sites.size()), 1, LiveUse, request.grid, positions);
+  RequireMemory(options, InputsOf(sites.size()), 1, use, request.grid, positions);
 }
 
 void LiveSeries::Expect(const Site& site, double range)
@@ -317,8 +315,8 @@ bool LiveSeries::IsSettled(Time time, const std::set<std::string>& silent) const
   return std::all_of(known.sites.begin(), known.sites.end(), isSettled);
 }
 
-std::optional<GriddedVolume> LiveSeries::Merge(
-  Time time, const Progress& progress, GriddedVolume memory)
+// What a merge at a time takes, for which the request is made.
+std::vector<ReadyVolume> LiveSeries::VolumesFor(Time time)
 {
   request.time = time;
   std::vector<ReadyVolume> ready;
@@ -328,7 +326,20 @@ std::optional<GriddedVolume> LiveSeries::Merge(
     ready.push_back(*std::find_if(own.begin(), own.end(),
       [&each](const ReadyVolume& one) { return one.Moment() == each.moment; }));
   }
-  return MergeMoments(ready, options.moments, request, progress, run, std::move(memory));
+  return ready;
+}
+
+std::optional<GriddedVolume> LiveSeries::Merge(
+  Time time, const Progress& progress, GriddedVolume memory)
+{
+  const std::vector<ReadyVolume> volumes = this->VolumesFor(time);
+  return MergeMoments(volumes, options.moments, request, progress, run, std::move(memory));
+}
+
+bool LiveSeries::MergeInBands(Time time, int rows, const TakeBand& take, const Progress& progress)
+{
+  const std::vector<ReadyVolume> volumes = this->VolumesFor(time);
+  return MergeBands(volumes, options.moments, request, rows, take, progress, run);
 }
 
 void AwaitedEnds::Keep(ScannedFile& file)

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "nexrad/Grid/GriddedVolume.h"
-#include "nexrad/Merging/MergeOptions.h"
+#include "nexrad/Merging/MemoryNeed.h"
 #include "nexrad/Merging/TimeMerge.h"
 #include "nexrad/Series/ScannedFile.h"
 #include "nexrad/System/Progress.h"
@@ -28,6 +28,10 @@ struct LiveInput
   bool finished = false; ///< nothing more is expected of it
 };
 
+/// What becomes of merged volumes while others arrive: one at a time is merged and written, of nine
+/// bytes a voxel at most beside those of its values.
+constexpr VolumeUse LiveUse = {0, 9};
+
 /// The newest volumes of any number of radars, made ready for merges, while they arrive. A volume
 /// that grows replaces what was there of it; the others stay as they were made. Once all volumes
 /// about a time are finished, Merge makes what SeriesMerger makes of the same files at that time.
@@ -38,7 +42,7 @@ public:
   /// does not know, and when biases shall be measured (MergeOptions::measureBiases), for which all
   /// volumes would have to be known; and, as later for the first volume of each radar, for a grid
   /// that needs more memory than MergeOptions::memoryLimit.
-  LiveSeries(const MergeOptions& options, const RangeLoop& loop);
+  LiveSeries(const MergeOptions& options, const RangeLoop& loop, const VolumeUse& use = LiveUse);
 
   /// Takes inputs in place of those with the same keys. Returns what each of them holds, in their
   /// order; a volume that cannot be used is among the problems there, as one of a further radar
@@ -77,6 +81,8 @@ public:
   /// when `progress` asked to stop.
   std::optional<GriddedVolume> Merge(
     Time time, const Progress& progress = {}, GriddedVolume memory = {});
+  /// The same in bands of rows (MergeBands). False when `progress` asked to stop.
+  bool MergeInBands(Time time, int rows, const TakeBand& take, const Progress& progress = {});
 
 private:
   struct Volume
@@ -89,6 +95,7 @@ private:
 
   void List();
   std::vector<ChosenVolume> ChosenAt(Time time) const;
+  std::vector<ReadyVolume> VolumesFor(Time time);
   void PlanGrid();
   void LeaveOutOthers(std::vector<ScannedFile>& scanned) const;
   void ExpectRadarsOf(const std::vector<LiveInput>& inputs, std::vector<ScannedFile>& scanned);
@@ -96,6 +103,7 @@ private:
 
   const MergeOptions options;
   const SeriesOptions series;
+  const VolumeUse use;
   MergeRequest request;
   MergeRun run;
   bool keepsGrid = false;

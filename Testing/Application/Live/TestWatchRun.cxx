@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A run of `watch` whose volumes are stored in bricks, and what `grid` makes of the same files.
+#include "Live/WatchRun.h"
+#include "Volumes/WriteVolumes.h"
+
+#include "Feed/ChunkMaker.h"
+#include "Scans/RadarsOfMissouri.h"
+#include "TestData.h"
+
+#include <gtest/gtest.h>
+
+using namespace nexrad;
+using namespace nexrad::application;
+using namespace nexrad::testing;
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+
+namespace
+{
+
+void Ignore(const std::string&) {}
+
+} // namespace
+
+// Large volumes are made band after band: those of the time steps have the bytes that `grid` gives
+// them, and the newest one is stored alike.
+TEST(WatchRun, KeepsLargeVolumesInBricks)
+{
+  const TemporaryFolder folder;
+  for (int i = 0; i < 4; ++i)
+  {
+    for (const Site& site : {keax, klsx})
+    {
+      WriteChunks(folder.Path() / "in" / site.name / std::to_string(i + 1),
+        CutIntoChunks(VolumeOfSweeps(site, start + i * 5min, 2, 10.0 + i)));
+    }
+  }
+  GridJob expected;
+  expected.inputs = {folder.Path() / "in"};
+  expected.folder = folder.Path() / "grid";
+  expected.written.largestWhole = 1000;
+  expected.options.grid.dimensions = {70, 150, 10};
+  expected.options.grid.range = 150'000.0;
+  expected.options.step = 5min;
+  expected.options.quality.level = QualityLevel::Off; // rays of one value are a receiver's fault
+  WriteVolumes(expected, {}, {});
+
+  WatchJob job;
+  job.folders = expected.inputs;
+  job.output = folder.Path() / "watch";
+  job.written = expected.written;
+  job.options = expected.options;
+  job.stopAfter = 1s;
+  const WatchReport report = WatchFolders(job, Ignore, Ignore);
+
+  std::size_t steps = 0;
+  for (const auto& entry : fs::directory_iterator(expected.folder))
+  {
+    const std::string content = FileContent(entry.path());
+    EXPECT_TRUE(FileContent(job.output / entry.path().filename()) == content) << entry.path();
+    steps += content.find("\"encoding\":\"bricks\"") != std::string::npos ? 1 : 0;
+  }
+  EXPECT_EQ(steps, 4U);
+  EXPECT_GE(report.steps, steps);
+  EXPECT_NE(
+    FileContent(job.output / "newest.nxv").find("\"encoding\":\"bricks\""), std::string::npos);
+}
