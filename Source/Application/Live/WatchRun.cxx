@@ -532,14 +532,14 @@ private:
     return states;
   }
 
-  // Those of which nothing is waited for any more.
+  // Those of which nothing is waited for any more: none as long as files wait that may be theirs.
   std::set<std::string> SilentRadars() const
   {
     std::set<std::string> silent;
     const Time now = clock.Now();
     for (const auto& [radar, newest] : newestRays)
     {
-      if (concluding || now - newest > job.stale)
+      if (concluding || (!intake.IsBehind() && now - newest > job.stale))
       {
         silent.insert(radar);
       }
