@@ -388,10 +388,10 @@ TEST_F(BackgroundSeriesTest, APictureThatWasWaitedForIsDrawnBeforeOthersAreLoade
   this->Open(Plan());
   EXPECT_EQ(this->Shown(0), 0.0);
   EXPECT_EQ(this->Shown(3), 3.0) << "what is asked for is loaded nevertheless";
-  std::this_thread::sleep_for(std::chrono::milliseconds(50)); // in which others would be loaded
-  EXPECT_EQ(this->CountLoads(), 2U);
   series->GoOn();
   this->WaitUntil([](const auto& state) { return CountLoaded(state) == 5; });
+  EXPECT_EQ(notes.loaded, (std::vector<std::size_t>{0, 3, 4, 1, 2}));
+  EXPECT_EQ(notes.stopped, 0) << "nothing else was being loaded";
 }
 
 TEST_F(BackgroundSeriesTest, PausingStopsTheOpening)
