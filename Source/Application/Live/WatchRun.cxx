@@ -115,9 +115,8 @@ public:
     , clock(theClock)
     , listing(job.folders)
     , intake(job.intake, clock)
-    , inBricks(AreInBricks(theJob.written, theJob.options))
     , series(job.options, vtkNexradRangeLoop(),
-        inBricks ? UseOfWriting(theJob.written, theJob.options) : LiveUse)
+        AreInBricks(job.written, job.options) ? UseOfWriting(job.written, job.options) : LiveUse)
     , book(StepRulesOf(job))
     , folder(theFolder)
     , status(theStatus)
@@ -366,7 +365,7 @@ private:
   // Merges the volume at a time, and writes it. False when asked to stop.
   bool Make(Time time, const fs::path& path)
   {
-    if (inBricks)
+    if (AreInBricks(job.written, job.options))
     {
       return this->MakeInBricks(time, path);
     }
@@ -588,7 +587,6 @@ private:
   const LiveClock& clock;
   FolderListing listing;
   LiveIntake intake;
-  const bool inBricks;
   LiveSeries series;
   AwaitedEnds ends;
   StepBook book;

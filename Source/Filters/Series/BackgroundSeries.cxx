@@ -65,7 +65,7 @@ vtkSmartPointer<vtkImageData> BackgroundSeries::Show(std::size_t step)
   shown = step;
   const auto found = kept.find(step);
   awaited = found == kept.end();
-  interrupted = found == kept.end() && state.loads && *state.loads != step;
+  interrupted = awaited && state.loads && *state.loads != step;
   changed.notify_all(); // what follows the step may be another than before
   return found == kept.end() ? nullptr : found->second.volume.Get();
 }
