@@ -337,8 +337,7 @@ void RepeatFirstRow(vtkStructuredGrid* grid, vtkIdType rays, vtkUnsignedCharArra
 }
 
 // `reasons` of the gates of a sweep, in the order of its rays.
-void AddArrays(
-  const SweepOrigin& origin, std::size_t gates, const std::vector<nexrad::EchoReason>& reasons)
+void AddArrays(const SweepOrigin& origin, const nexrad::SweepReasons& reasons)
 {
   vtkStructuredGrid* grid = origin.Grid;
   int dimensions[3];
@@ -349,9 +348,9 @@ void AddArrays(
   for (std::size_t ray = 0; ray < origin.Rows.size(); ++ray)
   {
     const vtkIdType first = origin.Rows[ray] * columns;
-    for (std::size_t gate = 0; gate < gates; ++gate)
+    for (std::size_t gate = 0; gate < reasons.gates; ++gate)
     {
-      const nexrad::EchoReason reason = reasons[ray * gates + gate];
+      const nexrad::EchoReason reason = reasons.At(ray, gate);
       const vtkIdType point = first + static_cast<vtkIdType>(gate);
       classes->SetValue(point, static_cast<unsigned char>(nexrad::ClassOf(reason)));
       numbers->SetValue(point, static_cast<unsigned char>(reason));
@@ -391,7 +390,7 @@ bool ClassifySweeps(
       nexrad::ClassifyEcho(volume, measured, vtkNexradRangeLoop());
     for (std::size_t sweep = 0; sweep < volume.sweeps.size(); ++sweep)
     {
-      AddArrays(origins[sweep], volume.sweeps[sweep].gates, found.sweeps[sweep]);
+      AddArrays(origins[sweep], found.sweeps[sweep]);
     }
     if (!progress(static_cast<double>(i + 1) / static_cast<double>(volumes.size())))
     {

@@ -18,7 +18,14 @@ struct GateRange
 
   bool IsEmpty() const { return begin >= end; }
   std::size_t Size() const { return this->IsEmpty() ? 0 : end - begin; }
+  bool Holds(std::size_t gate) const { return gate >= begin && gate < end; }
 };
+
+/// The gates of both ranges.
+inline GateRange Common(const GateRange& a, const GateRange& b)
+{
+  return {std::max(a.begin, b.begin), std::min(a.end, b.end)};
+}
 
 /// From the first to the last gate of either range.
 inline GateRange Hull(const GateRange& a, const GateRange& b)

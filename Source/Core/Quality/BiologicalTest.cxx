@@ -65,8 +65,6 @@ public:
     }
   }
 
-  std::size_t Count() const { return gates.size(); }
-
   // Reads dBZ above the gates of a range of a row; NoNumber where there is no echo.
   void Read(std::size_t place, const GateRange& range, std::vector<float>& values) const
   {
@@ -124,15 +122,15 @@ private:
       std::fill_n(to, count, NoNumber);
       return;
     }
-    const float* row = part.grid->Row(beyond);
     if (part.abreast)
     {
-      std::copy_n(row + gates[range.begin], count, to);
+      const std::size_t first = gates[range.begin];
+      part.grid->Read(beyond, {first, first + count}, to);
       return;
     }
     for (std::size_t gate = range.begin; gate < range.end; ++gate)
     {
-      to[gate - range.begin] = row[gates[gate]];
+      to[gate - range.begin] = part.grid->At(beyond, gates[gate]);
     }
   }
 
@@ -143,18 +141,18 @@ private:
 
 // Whether each gate of a row may be clear-air echo. `over` is room that is used.
 void MarkRow(const SweepJudgement& sweep, const EchoAbove& above, std::size_t place,
-  std::vector<float>& over, std::uint8_t* members)
+  std::vector<float>& over, std::vector<std::uint8_t>& members)
 {
-  const GateRange held = sweep.grid->Held(place);
-  const GateRange range = {held.begin, std::min(above.Count(), held.end)};
+  const GateRange range = sweep.Judged(place);
   above.Read(place, range, over);
+  const std::size_t first = sweep.grid->Index(place, range.begin);
   const float* row = sweep.grid->Row(place) + range.begin;
-  const EchoReason* reasons = sweep.reasons.data() + sweep.Index(place, range.begin);
   for (std::size_t i = 0; i < over.size(); ++i)
   {
     const bool weak = row[i] < strongest; // and plain weather, so that there is a number
     const bool free = !IsNumber(over[i]);
-    members[range.begin + i] = weak & free & (reasons[i] == EchoReason::Plain) ? 1 : 0;
+    const bool plain = sweep.reasons[first + i] == EchoReason::Plain;
+    members[first + i] = weak & free & plain ? 1 : 0;
   }
 }
 
@@ -172,7 +170,7 @@ struct FlightRegion
 void AddRun(SweepJudgement& sweep, const EchoAbove& above, const GateRun& run,
   std::vector<float>& over, FlightRegion& region)
 {
-  std::uint8_t* signs = sweep.flights.data() + sweep.Index(run.place, run.begin);
+  std::uint8_t* signs = sweep.flights.data() + sweep.grid->Index(run.place, run.begin);
   above.Read(run.place, {run.begin, run.end}, over);
   for (std::size_t i = 0; i < over.size(); ++i)
   {
@@ -200,7 +198,7 @@ void FindFlight(const std::vector<SweepJudgement>& sweeps, SweepJudgement& sweep
   }
   for (const GateRun& run : regions.Runs())
   {
-    const std::size_t first = sweep.Index(run.place, 0);
+    const std::size_t first = sweep.grid->Index(run.place, 0);
     for (std::size_t gate = run.begin; gate < run.end && all[run.region].IsFlight(); ++gate)
     {
       EchoReason& reason = sweep.reasons[first + gate];
@@ -218,7 +216,7 @@ void FindClearAir(const std::vector<SweepJudgement>& sweeps, SweepJudgement& swe
   std::vector<std::uint8_t> members(sweep.reasons.size(), 0);
   for (std::size_t place = 0; place < grid.Rays(); ++place)
   {
-    MarkRow(sweep, above, place, over, members.data() + sweep.Index(place, 0));
+    MarkRow(sweep, above, place, over, members);
   }
   const GateRegions regions(grid, members);
   std::vector<ClearAirRegion> all(regions.Count());
@@ -237,7 +235,7 @@ void FindClearAir(const std::vector<SweepJudgement>& sweeps, SweepJudgement& swe
     const ClearAirRegion& region = all[run.region];
     if (region.isNear && region.low >= leastArea && region.high <= mostHigh * region.low)
     {
-      EchoReason* first = sweep.reasons.data() + sweep.Index(run.place, 0);
+      EchoReason* first = sweep.reasons.data() + grid.Index(run.place, 0);
       std::fill(first + run.begin, first + run.end, EchoReason::ClearAir);
     }
   }

@@ -14,7 +14,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 
@@ -77,15 +76,9 @@ bool Stays(EchoReason reason)
 // are connected.
 void FindSpeckle(SweepJudgement& sweep)
 {
-  std::vector<std::uint8_t> members(sweep.reasons.size(), 0);
-  for (std::size_t place = 0; place < sweep.grid->Rays(); ++place)
-  {
-    const GateRange held = sweep.grid->Held(place);
-    const EchoReason* reasons = sweep.reasons.data() + sweep.Index(place, 0);
-    std::transform(reasons + held.begin, reasons + held.end,
-      members.data() + sweep.Index(place, held.begin),
-      [](EchoReason reason) -> std::uint8_t { return Stays(reason) ? 1 : 0; });
-  }
+  std::vector<std::uint8_t> members(sweep.reasons.size());
+  std::transform(sweep.reasons.begin(), sweep.reasons.end(), members.begin(),
+    [](EchoReason reason) -> std::uint8_t { return Stays(reason) ? 1 : 0; });
   const GateRegions regions(*sweep.grid, members);
   std::vector<std::size_t> gates(regions.Count(), 0);
   for (const GateRun& run : regions.Runs())
@@ -96,7 +89,7 @@ void FindSpeckle(SweepJudgement& sweep)
   {
     if (gates[run.region] < fewGates)
     {
-      EchoReason* first = sweep.reasons.data() + sweep.Index(run.place, 0);
+      EchoReason* first = sweep.reasons.data() + sweep.grid->Index(run.place, 0);
       std::fill(first + run.begin, first + run.end, EchoReason::FewGates);
     }
   }
@@ -244,19 +237,18 @@ private:
         continue;
       }
       const float* row = grid.Row(place);
-      const EchoReason* source = from.reasons.data() + from.grid->RayAt(other) * from.grid->Gates();
-      EchoReason* own = to.reasons.data() + grid.RayAt(place) * grid.Gates();
+      EchoReason* own = to.reasons.data() + grid.Index(place, 0);
       const double step = grid.GateSpacing() / from.grid->GateSpacing();
       const double start =
         (grid.RangeOf(0) - from.grid->RangeOf(0)) / from.grid->GateSpacing() + 0.5;
-      const std::size_t end = grid.Held(place).end;
-      for (std::size_t gate = 0; gate < end; ++gate)
+      const GateRange held = grid.Held(place);
+      for (std::size_t gate = held.begin; gate < held.end; ++gate)
       {
         const double at = start + step * static_cast<double>(gate);
         if (IsNumber(row[gate]) && at >= 0.0 && at < static_cast<double>(from.grid->Gates()) &&
             ClassOf(own[gate]) == EchoClass::Weather)
         {
-          const EchoReason reason = source[static_cast<std::size_t>(at)];
+          const EchoReason reason = from.ReasonAt(other, static_cast<std::size_t>(at));
           const EchoClass echoClass = ClassOf(reason);
           const bool flies =
             echoClass == EchoClass::Biological && row[gate] < StrongestBiologicalEcho;
@@ -269,39 +261,27 @@ private:
   EchoClassification Collect()
   {
     EchoClassification result;
-    result.sweeps.resize(sweeps.size());
-    std::vector<ReasonCounts> counts(sweeps.size());
-    RunEach(loop, sweeps.size(),
-      [&](std::size_t number)
-      {
-        const PolarSweep& sweep = moments.reflectivity.sweeps[number];
-        std::vector<EchoReason>& reasons = result.sweeps[number];
-        reasons = std::move(sweeps[number].reasons);
-        reasons.resize(sweep.rays.size() * sweep.gates, EchoReason::None);
-        counts[number] = CountHeld(reasons, sweeps[number]);
-      });
-    for (const ReasonCounts& each : counts)
+    for (std::size_t number = 0; number < sweeps.size(); ++number)
     {
-      std::transform(
-        each.begin(), each.end(), result.counts.begin(), result.counts.begin(), std::plus<>());
+      const PolarSweep& sweep = moments.reflectivity.sweeps[number];
+      const std::size_t rays = sweep.rays.size();
+      SweepReasons reasons{sweep.gates, std::vector<GateRange>(rays),
+        std::vector<std::size_t>(rays), std::move(sweeps[number].reasons)};
+      std::size_t nothing = rays * sweep.gates; // gates that are not held
+      const EchoGrid* grid = sweeps[number].grid.get();
+      for (std::size_t place = 0; grid != nullptr && place < grid->Rays(); ++place)
+      {
+        const GateRange held = grid->Held(place);
+        reasons.held[grid->RayAt(place)] = held;
+        reasons.starts[grid->RayAt(place)] = grid->Index(place, 0);
+        const EchoReason* first = reasons.reasons.data() + grid->Index(place, held.begin);
+        CountReasons(first, held.Size(), result.counts);
+        nothing -= held.Size();
+      }
+      result.counts[static_cast<std::size_t>(EchoReason::None)] += nothing;
+      result.sweeps.push_back(std::move(reasons));
     }
     return result;
-  }
-
-  // Gates that hold no echo have no reason.
-  static ReasonCounts CountHeld(const std::vector<EchoReason>& reasons, const SweepJudgement& sweep)
-  {
-    ReasonCounts counts{};
-    std::size_t held = 0;
-    for (std::size_t place = 0; sweep.grid && place < sweep.grid->Rays(); ++place)
-    {
-      const GateRange range = sweep.grid->Held(place);
-      CountReasons(
-        reasons.data() + sweep.Index(place, range.begin), range.end - range.begin, counts);
-      held += range.end - range.begin;
-    }
-    counts[static_cast<std::size_t>(EchoReason::None)] += reasons.size() - held;
-    return counts;
   }
 
   const MeasuredMoments& moments;
@@ -375,19 +355,19 @@ ReasonCounts TakeOut(
   for (std::size_t i = 0; i < reflectivity.sweeps.size(); ++i)
   {
     PolarSweep& sweep = reflectivity.sweeps[i];
-    const std::vector<EchoReason>& reasons = classification.sweeps[i];
-    if (reasons.size() != sweep.rays.size() * sweep.gates)
+    const SweepReasons& found = classification.sweeps[i];
+    if (found.held.size() != sweep.rays.size() || found.gates != sweep.gates)
     {
-      throw Error("echo classes of " + std::to_string(reasons.size()) + " gates for a sweep of " +
-                  std::to_string(sweep.rays.size() * sweep.gates));
+      throw Error("echo classes of " + std::to_string(found.held.size() * found.gates) +
+                  " gates for a sweep of " + std::to_string(sweep.rays.size() * sweep.gates));
     }
     const auto removed = [&removes](EchoReason reason)
     { return removes[static_cast<std::size_t>(reason)]; };
     std::vector<std::uint16_t> codes(sweep.gates);
     for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
     {
-      const EchoReason* own = reasons.data() + ray * sweep.gates;
-      const GateRange held = sweep.rows.Held(ray, sweep.gates);
+      const EchoReason* own = found.reasons.data() + found.starts[ray];
+      const GateRange held = found.held[ray];
       if (std::none_of(own + held.begin, own + held.end, removed))
       {
         continue;

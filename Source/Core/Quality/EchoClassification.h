@@ -5,18 +5,33 @@
 #include "nexrad/Quality/EchoClass.h"
 #include "nexrad/System/RangeLoop.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace nexrad
 {
 
-/// What the echo of each gate of reflectivity comes from, and the test that decided it.
+/// What the echo of each gate of a sweep comes from, and the test that decided it. Of each ray only
+/// the gates from the first to behind the last that holds anything but no echo are held.
+struct SweepReasons
+{
+  std::size_t gates = 0;           ///< of each ray
+  std::vector<GateRange> held;     ///< of each ray
+  std::vector<std::size_t> starts; ///< of each ray: where gate 0 would stand in `reasons`
+  std::vector<EchoReason> reasons;
+
+  /// None for a gate that is not held. The sweep must have such a ray.
+  EchoReason At(std::size_t ray, std::size_t gate) const
+  {
+    return held[ray].Holds(gate) ? reasons[starts[ray] + gate] : EchoReason::None;
+  }
+};
+
+/// What the echo of each gate of reflectivity comes from.
 struct EchoClassification
 {
-  /// `sweeps[sweep][ray * gates + gate]`, for the sweeps of the polar volume of REF, in their
-  /// order.
-  std::vector<std::vector<EchoReason>> sweeps;
-  ReasonCounts counts{}; ///< gates by reason, of all sweeps
+  std::vector<SweepReasons> sweeps; ///< those of the polar volume of REF, in their order
+  ReasonCounts counts{};            ///< gates by reason, of all sweeps
 };
 
 /// Finds what the echo of each gate comes from (Formulas Q1 to Q4), from all moments that the

@@ -71,17 +71,22 @@ EchoGrid::EchoGrid(const PolarSweep& sweep)
   , first(sweep.firstGate)
   , spacing(sweep.gateSpacing)
   , gates(sweep.gates)
-  , values(sweep.rays.size() * sweep.gates, NoNumber)
-  , empty(sweep.gates, NoNumber)
-  , held(sweep.rays.size())
 {
+  std::size_t count = gates;
+  for (std::size_t place = 0; place < this->Rays(); ++place)
+  {
+    held.push_back(sweep.rows.Held(this->RayAt(place), gates));
+    starts.push_back(count - held.back().begin);
+    count += held.back().Size();
+  }
+  held.push_back({});
+  starts.push_back(count);
+  values.reset(new float[count]);
   std::vector<std::uint16_t> codes(gates);
   for (std::size_t place = 0; place < this->Rays(); ++place)
   {
-    const std::size_t ray = this->RayAt(place);
-    held[place] = sweep.rows.Held(ray, gates);
-    sweep.rows.Read(ray, held[place].end, codes.data());
-    float* row = values.data() + place * gates;
+    sweep.rows.Read(this->RayAt(place), held[place].end, codes.data());
+    float* row = values.get() + starts[place];
     for (std::size_t gate = held[place].begin; gate < held[place].end; ++gate)
     {
       const float value = sweep.scale.ValueOf(codes[gate]);
@@ -101,20 +106,23 @@ std::size_t EchoGrid::GatesWithin(double range) const
   return static_cast<std::size_t>(std::clamp(count, 0.0, static_cast<double>(gates)));
 }
 
-const float* EchoGrid::RowBeside(std::size_t place, int step) const
+void EchoGrid::Read(std::size_t place, const GateRange& range, float* to) const
 {
-  const std::size_t beside = this->Beside(place, step);
-  return beside < this->Rays() ? this->Row(beside) : empty.data();
+  std::fill_n(to, range.Size(), NoNumber);
+  const GateRange own = Common(range, held[place]);
+  if (!own.IsEmpty())
+  {
+    std::copy_n(this->Row(place) + own.begin, own.Size(), to + (own.begin - range.begin));
+  }
 }
 
 GateRegions::GateRegions(const EchoGrid& grid, const std::vector<std::uint8_t>& members)
 {
-  const std::size_t gates = grid.Gates();
   std::vector<std::size_t> firstRuns;
   for (std::size_t place = 0; place < grid.Rays(); ++place)
   {
     firstRuns.push_back(runs.size());
-    const std::uint8_t* row = members.data() + grid.RayAt(place) * gates;
+    const std::uint8_t* row = members.data() + grid.Index(place, 0);
     const GateRange held = grid.Held(place);
     const std::uint8_t* last = row + held.end;
     for (const std::uint8_t* begin = SkipZeros(row + held.begin, last); begin != last;)

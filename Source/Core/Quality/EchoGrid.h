@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace nexrad
@@ -49,7 +50,9 @@ private:
   std::vector<std::uint8_t> linked; // whether the ray after each is its neighbour
 };
 
-/// Reflectivity of one sweep in dBZ, a row for each ray, in the order of azimuths.
+/// Reflectivity of one sweep in dBZ, a row for each ray, in the order of azimuths. Of each row only
+/// the gates from the first to behind the last that holds anything but no echo are held: most gates
+/// hold none. Other arrays of numbers by gate have the same places (Index).
 class EchoGrid : public SweepRays
 {
 public:
@@ -65,20 +68,30 @@ public:
   /// Gates of every ray whose centre lies within a slant range, m.
   std::size_t GatesWithin(double range) const;
 
-  /// Gates() numbers; NoNumber where there is no value.
-  const float* Row(std::size_t place) const { return values.data() + place * gates; }
-  /// The same of `Beside`; a row without any number where there is none.
-  const float* RowBeside(std::size_t place, int step) const;
-  /// Of a row the gates from the first to behind the last that has a value.
+  /// The gates of a row that are held; none of Rays(), which stands for a row that is not there.
   GateRange Held(std::size_t place) const { return held[place]; }
+  /// Where the number of a gate that is held stands, in this grid and in arrays of Count() others.
+  std::size_t Index(std::size_t place, std::size_t gate) const { return starts[place] + gate; }
+  /// Numbers that such an array has.
+  std::size_t Count() const { return starts.back(); }
+
+  /// `Row(place)[gate]` is the value of a gate that is held; NoNumber where it has none.
+  const float* Row(std::size_t place) const { return values.get() + starts[place]; }
+  /// The value of any gate; NoNumber where it has none.
+  float At(std::size_t place, std::size_t gate) const
+  {
+    return held[place].Holds(gate) ? this->Row(place)[gate] : NoNumber;
+  }
+  /// Reads the values of any gates that follow each other.
+  void Read(std::size_t place, const GateRange& range, float* to) const;
 
 private:
   double first;
   double spacing;
   std::size_t gates;
-  std::vector<float> values;
-  std::vector<float> empty;
   std::vector<GateRange> held;
+  std::vector<std::size_t> starts; // where gate 0 of each row would stand
+  std::unique_ptr<float[]> values; // behind room, so that no row starts before the first
 };
 
 /// Gates of one row that follow each other, from `begin` up to `end`, and the region they are of.
@@ -95,8 +108,7 @@ struct GateRun
 class GateRegions
 {
 public:
-  /// `members`: rays × gates, in the order of the rays of the sweep; other than 0 for the gates
-  /// that count.
+  /// `members`: by EchoGrid::Index, other than 0 for the gates that count.
   GateRegions(const EchoGrid& grid, const std::vector<std::uint8_t>& members);
 
   const std::vector<GateRun>& Runs() const { return runs; }

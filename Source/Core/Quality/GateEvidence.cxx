@@ -65,14 +65,14 @@ void AddWindows(
 }
 
 // Counts the gates of a row that lie `offset` gates behind each of another one, `own`, and those
-// that are alike, for the gates of a range. Of either row the first `gates` gates count.
+// that are alike, for the gates of a range. Of the row the gates of `counted` count.
 void CountAlike(const float* own, const float* row, std::ptrdiff_t offset, const GateRange& range,
-  std::size_t gates, std::vector<float>& about, std::vector<float>& like)
+  const GateRange& counted, std::vector<float>& about, std::vector<float>& like)
 {
   const auto first = static_cast<std::ptrdiff_t>(range.begin);
-  const std::ptrdiff_t begin = std::max(first, -offset);
-  const std::ptrdiff_t end = std::min(static_cast<std::ptrdiff_t>(range.end),
-    static_cast<std::ptrdiff_t>(gates) - std::max<std::ptrdiff_t>(offset, 0));
+  const std::ptrdiff_t begin = std::max(first, static_cast<std::ptrdiff_t>(counted.begin) - offset);
+  const std::ptrdiff_t end = std::min(
+    static_cast<std::ptrdiff_t>(range.end), static_cast<std::ptrdiff_t>(counted.end) - offset);
   float* abouts = about.data();
   float* likes = like.data();
   for (std::ptrdiff_t i = begin; i < end; ++i)
@@ -150,15 +150,16 @@ const EvidenceReader::RowTextures& EvidenceReader::TexturesOf(std::size_t place)
   RowGeometry part = geometry;
   part.gates = summed.Size();
   part.firstGate = grid.RangeOf(summed.begin);
-  row.textures.Set(grid.Row(place) + summed.begin, sources, grid.RayAt(place), part);
+  values.resize(part.gates);
+  grid.Read(place, {summed.begin, summed.begin + part.gates}, values.data());
+  row.textures.Set(values.data(), sources, grid.RayAt(place), part);
   return row;
 }
 
 void EvidenceReader::Read(std::size_t place, EvidenceRow& evidence)
 {
   const float* row = grid.Row(place);
-  const GateRange range = {std::max(wanted[place].begin, grid.Held(place).begin),
-    std::min(wanted[place].end, this->Counted(place))};
+  const GateRange range = Common(wanted[place], {grid.Held(place).begin, this->Counted(place)});
   evidence.gates.clear();
   for (std::size_t gate = range.begin; gate < range.end; ++gate)
   {
@@ -222,12 +223,13 @@ void EvidenceReader::ReadAgreement(std::size_t place, const GateRange& range, Ev
   const auto far = static_cast<std::ptrdiff_t>(geometry.HalfWindow());
   about.assign(range.end - range.begin, 0.0F);
   like.assign(range.end - range.begin, 0.0F);
-  for (const float* row : {grid.RowBeside(place, -1), own, grid.RowBeside(place, 1)})
+  for (const std::size_t each : {grid.Beside(place, -1), place, grid.Beside(place, 1)})
   {
+    const GateRange counted = Common(grid.Held(each), {0, this->Counted(place)});
     for (const std::ptrdiff_t offset :
       {-far, far, std::ptrdiff_t(-1), std::ptrdiff_t(0), std::ptrdiff_t(1)})
     {
-      CountAlike(own, row, offset, range, this->Counted(place), about, like);
+      CountAlike(own, grid.Row(each), offset, range, counted, about, like);
     }
   }
   for (std::size_t i = 0; i < evidence.gates.size(); ++i)
@@ -245,7 +247,6 @@ void EvidenceReader::ReadGradient(std::size_t place, EvidenceRow& evidence) cons
   {
     return;
   }
-  const float* upper = above->Row(beyond);
   const auto perDegree = static_cast<float>(1.0 / (above->Elevation() - grid.Elevation()));
   const double step = grid.GateSpacing() / above->GateSpacing();
   const double from = (grid.RangeOf(0) - above->RangeOf(0)) / above->GateSpacing() + 0.5;
@@ -255,7 +256,8 @@ void EvidenceReader::ReadGradient(std::size_t place, EvidenceRow& evidence) cons
     if (at >= 0.0 && at < static_cast<double>(above->Gates()))
     {
       const float value = evidence.reflectivity[i];
-      const float over = std::max(upper[static_cast<std::size_t>(at)], std::min(weakest, value));
+      const float upper = above->At(beyond, static_cast<std::size_t>(at));
+      const float over = std::max(upper, std::min(weakest, value));
       evidence.gradient[i] = (value - over) * perDegree;
     }
   }

@@ -95,6 +95,7 @@ private:
   std::size_t next = 0;
   std::vector<GateSums> sums;
   std::vector<GateSums> polarimetricSums;
+  std::vector<float> values;
   std::vector<float> about;
   std::vector<float> like;
   std::vector<std::uint16_t> codes;

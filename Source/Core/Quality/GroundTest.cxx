@@ -50,7 +50,7 @@ private:
     {
       const GateRange still = StillGates(
         grid.Row(place), grid.Held(place), sources.velocity, grid.RayAt(place), geometry, codes);
-      const GateRange all = this->AllOf(place);
+      const GateRange all = sweep.Judged(place);
       // Where most gates are asked for, the others may soon be, too.
       wanted[place] = 2 * still.Size() > all.Size() ? all : still;
       changed[place] = still.IsEmpty() ? 0 : 1;
@@ -86,7 +86,7 @@ private:
     std::vector<std::uint8_t> isSure(regions.Count(), 0);
     for (const GateRun& run : regions.Runs())
     {
-      const std::uint8_t* signs = sweep.signs.data() + sweep.Index(run.place, 0);
+      const std::uint8_t* signs = sweep.signs.data() + grid.Index(run.place, 0);
       const std::uint8_t* end = signs + run.end;
       isSure[run.region] |= std::find(signs + run.begin, end, GroundSign::Sure) != end ? 1 : 0;
     }
@@ -117,26 +117,18 @@ private:
     }
   }
 
-  // The gates of a ray that can be judged.
-  GateRange AllOf(std::size_t place) const
-  {
-    const GateRange held = grid.Held(place);
-    return {held.begin, std::min(held.end, sweep.judged)};
-  }
-
   bool Lacks(std::size_t place, const GateRange& range) const
   {
-    const GateRange all = this->AllOf(place);
-    const GateRange needed = {std::max(range.begin, all.begin), std::min(range.end, all.end)};
+    const GateRange needed = Common(range, sweep.Judged(place));
     return !needed.IsEmpty() &&
            (needed.begin < wanted[place].begin || needed.end > wanted[place].end);
   }
 
   void WantAllOf(std::size_t place)
   {
-    if (place < grid.Rays() && this->Lacks(place, this->AllOf(place)))
+    if (place < grid.Rays() && this->Lacks(place, sweep.Judged(place)))
     {
-      wanted[place] = this->AllOf(place);
+      wanted[place] = sweep.Judged(place);
       changed[place] = 1;
     }
   }
@@ -169,11 +161,11 @@ struct GroundRegion
 void AddBeside(
   const SweepJudgement& sweep, std::size_t place, std::size_t gate, GroundRegion& region)
 {
-  if (place >= sweep.grid->Rays() || gate >= sweep.judged)
+  if (!sweep.Judged(place).Holds(gate))
   {
     return;
   }
-  const std::size_t index = sweep.Index(place, gate);
+  const std::size_t index = sweep.grid->Index(place, gate);
   if (sweep.speeds[index] >= still && sweep.signs[index] == GroundSign::None)
   {
     ++region.beside;
@@ -185,7 +177,7 @@ void AddRun(const SweepJudgement& sweep, const GateRun& run, GroundRegion& regio
 {
   for (std::size_t gate = run.begin; gate < run.end; ++gate)
   {
-    const std::size_t index = sweep.Index(run.place, gate);
+    const std::size_t index = sweep.grid->Index(run.place, gate);
     ++region.gates;
     region.sure += sweep.signs[index] == GroundSign::Sure ? 1 : 0;
     region.gradients += sweep.gradients[index];
@@ -278,7 +270,7 @@ public:
     , above(*theSweep.above)
     , step(
         std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(about / grid.GateSpacing()))))
-    , marks(theSweep.reasons.size(), Nothing)
+    , marks(grid.Rays() * theSweep.judged, Nothing)
   {
   }
 
@@ -324,15 +316,15 @@ private:
     {
       return 0;
     }
-    const std::array<const float*, 3> upper = {
-      above.Row(beyond), above.RowBeside(beyond, -1), above.RowBeside(beyond, 1)};
+    const std::array<std::size_t, 3> upper = {
+      beyond, above.Beside(beyond, -1), above.Beside(beyond, 1)};
     const float* row = grid.Row(place);
-    const std::size_t first = sweep.Index(place, 0);
-    const GateRange held = grid.Held(place);
+    const std::size_t first = this->MarkIndex(place, 0);
+    const GateRange judged = sweep.Judged(place);
     std::size_t telling = 0;
-    for (std::size_t gate = held.begin; gate < std::min(held.end, sweep.judged); ++gate)
+    for (std::size_t gate = judged.begin; gate < judged.end; ++gate)
     {
-      const EchoClass known = ClassOf(sweep.reasons[first + gate]);
+      const EchoClass known = ClassOf(sweep.reasons[grid.Index(place, gate)]);
       const bool isMeant = known == EchoClass::Weather || known == EchoClass::Ground;
       if (isMeant && row[gate] >= weakestEcho)
       {
@@ -345,25 +337,32 @@ private:
   }
 
   // By whether the tilt above has echo within 1 km along the ray, on one of three rays.
-  Mark MarkOf(const std::array<const float*, 3>& upper, std::size_t gate) const
+  Mark MarkOf(const std::array<std::size_t, 3>& upper, std::size_t gate) const
   {
-    const GateRange range = near[gate];
-    const bool isConfirmed = std::any_of(upper.begin(), upper.end(),
-      [&range](const float* row) {
-        return range.end > range.begin && std::any_of(row + range.begin, row + range.end, IsNumber);
-      });
-    return isConfirmed ? Confirmed : Alone;
+    const auto hasEcho = [this, gate](std::size_t place)
+    {
+      const GateRange range = Common(near[gate], above.Held(place));
+      const float* row = above.Row(place);
+      return !range.IsEmpty() && std::any_of(row + range.begin, row + range.end, IsNumber);
+    };
+    return std::any_of(upper.begin(), upper.end(), hasEcho) ? Confirmed : Alone;
+  }
+
+  // Marks stand for all gates that can be judged, also for those without echo between others.
+  std::size_t MarkIndex(std::size_t place, std::size_t gate) const
+  {
+    return place * sweep.judged + gate;
   }
 
   // Gates that are alone, and the gaps of two rays and of widestGapAlongRay between such gates:
-  // propagation comes in patches.
+  // propagation comes in patches. By EchoGrid::Index.
   std::vector<std::uint8_t> Members() const
   {
     std::vector<std::uint8_t> along(marks.size(), 0);
-    std::vector<std::uint8_t> members(marks.size(), 0);
+    std::vector<std::uint8_t> members(grid.Count(), 0);
     for (std::size_t place = 0; place < grid.Rays(); ++place)
     {
-      const std::size_t first = sweep.Index(place, 0);
+      const std::size_t first = this->MarkIndex(place, 0);
       std::size_t reach = 0; // gates that a gate before still makes members
       for (std::size_t gate = 0; gate < sweep.judged; ++gate)
       {
@@ -374,14 +373,15 @@ private:
     }
     for (std::size_t place = 0; place < grid.Rays(); ++place)
     {
-      const std::size_t first = sweep.Index(place, 0);
+      const GateRange judged = sweep.Judged(place);
       for (const int beside : {0, 1, 2})
       {
         const std::size_t other = grid.Beside(place, beside);
-        for (std::size_t gate = 0; other < grid.Rays() && gate < sweep.judged; ++gate)
+        for (std::size_t gate = judged.begin; other < grid.Rays() && gate < judged.end; ++gate)
         {
-          members[first + gate] |=
-            marks[first + gate] != Confirmed ? along[sweep.Index(other, gate)] : 0;
+          members[grid.Index(place, gate)] |= marks[this->MarkIndex(place, gate)] != Confirmed
+                                                ? along[this->MarkIndex(other, gate)]
+                                                : 0;
         }
       }
     }
@@ -398,14 +398,13 @@ private:
     }
     for (const GateRun& run : regions.Runs())
     {
-      const std::size_t first = sweep.Index(run.place, 0);
       const bool propagates = this->IsPropagation(all[run.region]);
-      for (std::size_t index = first + run.begin; propagates && index < first + run.end; ++index)
+      for (std::size_t gate = run.begin; propagates && gate < run.end; ++gate)
       {
-        EchoReason& reason = sweep.reasons[index];
-        reason = marks[index] != Nothing && ClassOf(reason) == EchoClass::Weather
-                   ? EchoReason::GroundHeight
-                   : reason;
+        EchoReason& reason = sweep.reasons[grid.Index(run.place, gate)];
+        const bool isMarked = marks[this->MarkIndex(run.place, gate)] != Nothing;
+        reason =
+          isMarked && ClassOf(reason) == EchoClass::Weather ? EchoReason::GroundHeight : reason;
       }
     }
   }
@@ -413,11 +412,10 @@ private:
   void AddRun(const GateRun& run, PropagationRegion& region) const
   {
     const float* row = grid.Row(run.place);
-    const std::size_t first = sweep.Index(run.place, 0);
     for (std::size_t gate = run.begin; gate < run.end; ++gate)
     {
-      const std::size_t index = first + gate;
-      if (marks[index] != Alone)
+      const std::size_t index = grid.Index(run.place, gate);
+      if (marks[this->MarkIndex(run.place, gate)] != Alone)
       {
         continue;
       }
@@ -426,9 +424,10 @@ private:
       region.strong += row[gate] >= strongEcho ? 1 : 0;
       const bool flies = sweep.IsPolarimetric() && sweep.flights[index] != FlightSign::None;
       region.doubted += flies || sweep.signs[index] != GroundSign::None ? 1 : 0;
-      if (gate >= step && IsNumber(row[gate - step]))
+      const float before = gate >= step ? grid.At(run.place, gate - step) : NoNumber;
+      if (IsNumber(before))
       {
-        const auto difference = static_cast<double>(row[gate] - row[gate - step]);
+        const auto difference = static_cast<double>(row[gate] - before);
         region.squares += difference * difference;
         ++region.pairs;
       }
@@ -446,7 +445,7 @@ private:
       for (std::size_t other = gate - std::min<std::size_t>(1, gate);
            beside < grid.Rays() && other < std::min(gate + 2, sweep.judged); ++other)
       {
-        const std::uint8_t mark = marks[sweep.Index(beside, other)];
+        const std::uint8_t mark = marks[this->MarkIndex(beside, other)];
         isOutline = isOutline || mark != Alone;
         isEdge = isEdge || mark == Confirmed;
       }
@@ -509,7 +508,7 @@ void FindGround(SweepJudgement& sweep)
   {
     for (std::size_t gate = run.begin; gate < run.end && IsGround(all[run.region]); ++gate)
     {
-      const std::size_t index = sweep.Index(run.place, gate);
+      const std::size_t index = sweep.grid->Index(run.place, gate);
       sweep.reasons[index] = ReasonOf(sweep, index);
     }
   }

@@ -78,13 +78,13 @@ public:
     {
       for (const int step : {-2, -1, 1, 2})
       {
-        this->MarkEdge(grid.Beside(place, step), grid.RowBeside(place, 2 * step), power);
+        this->MarkEdge(grid.Beside(place, step), grid.Beside(place, 2 * step), power);
       }
     }
   }
 
 private:
-  void MarkEdge(std::size_t place, const float* beyond, float power)
+  void MarkEdge(std::size_t place, std::size_t beyond, float power)
   {
     if (place >= grid.Rays())
     {
@@ -95,10 +95,12 @@ private:
       [&](std::size_t gate)
       {
         const bool inside = gate >= first && gate > 0 && gate + 1 < grid.Gates();
-        return inside && !(IsNumber(row[gate - 1]) && IsNumber(row[gate + 1])) &&
-               !IsNumber(beyond[gate]) && row[gate] - spreading[gate] - power <= steady;
+        return inside && !(this->HasEcho(place, gate - 1) && this->HasEcho(place, gate + 1)) &&
+               !this->HasEcho(beyond, gate) && row[gate] - spreading[gate] - power <= steady;
       });
   }
+
+  bool HasEcho(std::size_t place, std::size_t gate) const { return IsNumber(grid.At(place, gate)); }
 
   // Adds the values of some gates of a row.
   void Collect(std::size_t place, const GateRange& range)
@@ -142,8 +144,9 @@ private:
   void JudgePower(std::size_t place)
   {
     const float* row = grid.Row(place);
+    const GateRange far = {std::max(first, grid.Held(place).begin), grid.Held(place).end};
     powers.clear();
-    for (std::size_t gate = first; gate < grid.Held(place).end; ++gate)
+    for (std::size_t gate = far.begin; gate < far.end; ++gate)
     {
       if (IsNumber(row[gate]))
       {
@@ -154,13 +157,14 @@ private:
     std::nth_element(powers.begin(), middle, powers.end());
     const float power = *middle;
     // A spike is up to three rays wide: it is compared with three rays on each side.
-    const std::array<const float*, 3> before = {
-      grid.RowBeside(place, -1), grid.RowBeside(place, -2), grid.RowBeside(place, -3)};
-    const std::array<const float*, 3> after = {
-      grid.RowBeside(place, 1), grid.RowBeside(place, 2), grid.RowBeside(place, 3)};
+    const std::array<std::size_t, 3> before = {
+      grid.Beside(place, -1), grid.Beside(place, -2), grid.Beside(place, -3)};
+    const std::array<std::size_t, 3> after = {
+      grid.Beside(place, 1), grid.Beside(place, 2), grid.Beside(place, 3)};
     const auto isOverBoth = [&](std::size_t gate)
     {
-      const auto isBelow = [&](const float* other) { return other[gate] < row[gate] - over; };
+      const auto isBelow = [&](std::size_t other)
+      { return grid.At(other, gate) < row[gate] - over; };
       return std::any_of(before.begin(), before.end(), isBelow) &&
              std::any_of(after.begin(), after.end(), isBelow);
     };
@@ -168,7 +172,7 @@ private:
     { return std::abs(row[gate] - spreading[gate] - power) <= steady; };
     std::size_t alike = 0;
     std::size_t alone = 0;
-    for (std::size_t gate = first; gate < grid.Gates(); ++gate)
+    for (std::size_t gate = far.begin; gate < far.end; ++gate)
     {
       if (IsNumber(row[gate]) && isSteady(gate))
       {
@@ -193,8 +197,9 @@ private:
   void Mark(std::size_t place, EchoReason reason, const Condition& condition)
   {
     const float* row = grid.Row(place);
-    EchoReason* own = reasons.data() + grid.RayAt(place) * grid.Gates();
-    for (std::size_t gate = 0; gate < grid.Gates(); ++gate)
+    const GateRange held = grid.Held(place);
+    EchoReason* own = reasons.data() + grid.Index(place, 0);
+    for (std::size_t gate = held.begin; gate < held.end; ++gate)
     {
       if (IsNumber(row[gate]) && condition(gate))
       {

@@ -147,9 +147,10 @@ float WeakestPower(const EchoGrid& grid, const std::vector<float>& spreading)
   for (std::size_t place = 0; place < grid.Rays(); ++place)
   {
     const float* row = grid.Row(place);
-    const std::size_t end = std::min(spreading.size(), grid.Held(place).end);
+    const GateRange held = grid.Held(place);
+    const std::size_t end = std::min(spreading.size(), held.end);
     float least = -NoNumber;
-    for (std::size_t gate = 0; gate < end; ++gate)
+    for (std::size_t gate = held.begin; gate < end; ++gate)
     {
       const float power = IsNumber(row[gate]) ? row[gate] - spreading[gate] : -NoNumber;
       least = power < least ? power : least;
@@ -193,12 +194,12 @@ EchoReason WeatherOf(float reflectivity)
 // The reasons of all gates that have a value.
 std::vector<EchoReason> AllWeather(const EchoGrid& grid)
 {
-  std::vector<EchoReason> reasons(grid.Rays() * grid.Gates(), EchoReason::None);
+  std::vector<EchoReason> reasons(grid.Count(), EchoReason::None);
   for (std::size_t place = 0; place < grid.Rays(); ++place)
   {
     const float* row = grid.Row(place);
     const GateRange held = grid.Held(place);
-    EchoReason* own = reasons.data() + grid.RayAt(place) * grid.Gates();
+    EchoReason* own = reasons.data() + grid.Index(place, 0);
     for (std::size_t gate = held.begin; gate < held.end; ++gate)
     {
       own[gate] = IsNumber(row[gate]) ? WeatherOf(row[gate]) : EchoReason::None;
@@ -339,7 +340,7 @@ void RowJudge::Judge(std::size_t place)
     for (std::size_t i = 0; i < count; ++i)
     {
       const std::size_t gate = evidence.gates[first + i];
-      JudgeGate(sweep, sweep.Index(place, gate), gate, evidence.At(first + i), ground[i],
+      JudgeGate(sweep, sweep.grid->Index(place, gate), gate, evidence.At(first + i), ground[i],
         notWeather[i], roundCorrelation[i]);
     }
   }

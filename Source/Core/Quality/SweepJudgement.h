@@ -6,6 +6,7 @@
 #include "nexrad/Quality/GateEvidence.h"
 #include "nexrad/Quality/SplitCuts.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -31,8 +32,8 @@ struct FlightSign
   static constexpr std::uint8_t UnderEcho = 3; ///< either, below echo where none of them fly
 };
 
-/// The gates of one sweep of reflectivity, judged one by one. Arrays are rays × gates, in the order
-/// of the rays of the sweep.
+/// The gates of one sweep of reflectivity, judged one by one. Arrays of what gates are have the
+/// places of the grid (EchoGrid::Index).
 struct SweepJudgement
 {
   std::unique_ptr<EchoGrid> grid;  ///< nullptr for a sweep without rays or gates
@@ -56,9 +57,12 @@ struct SweepJudgement
   /// Whether ρ_hv and Z_DR are known of a sweep whose gates are judged.
   bool IsPolarimetric() const { return !flights.empty(); }
 
-  std::size_t Index(std::size_t place, std::size_t gate) const
+  /// The gates of a row that are held and can be ground or biological echo.
+  GateRange Judged(std::size_t place) const { return Common(grid->Held(place), {0, judged}); }
+  /// What the echo of any gate comes from.
+  EchoReason ReasonAt(std::size_t place, std::size_t gate) const
   {
-    return grid->RayAt(place) * grid->Gates() + gate;
+    return grid->Held(place).Holds(gate) ? reasons[grid->Index(place, gate)] : EchoReason::None;
   }
 };
 

@@ -157,7 +157,10 @@ GateRange StillGates(const float* row, const GateRange& held, const MomentSource
   const auto gateOf = [&](std::size_t i)
   { return static_cast<std::size_t>(std::clamp(from + step * static_cast<double>(i), 0.0, last)); };
   const auto isStill = [&](std::size_t i)
-  { return still.Holds(codes[i]) && IsNumber(row[gateOf(i)]); };
+  {
+    const std::size_t gate = gateOf(i);
+    return still.Holds(codes[i]) && held.Holds(gate) && IsNumber(row[gate]);
+  };
   constexpr std::size_t together = 32;
   while (begin < end && !isStill(begin))
   {

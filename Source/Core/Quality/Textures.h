@@ -112,8 +112,8 @@ private:
 };
 
 /// Of the gates of a row those from the first to behind the last that has a value and, beside or in
-/// it, a velocity of less than MovingSpeed; empty without any. `held`: gates outside of which the
-/// row has no value. `codes` is room that is used.
+/// it, a velocity of less than MovingSpeed; empty without any. `row[gate]` are the values of the
+/// gates of `held`; others have none. `codes` is room that is used.
 GateRange StillGates(const float* row, const GateRange& held, const MomentSource& velocity,
   std::size_t ray, const RowGeometry& geometry, std::vector<std::uint16_t>& codes);
 

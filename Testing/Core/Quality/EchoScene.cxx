@@ -132,7 +132,7 @@ double ShareOf(const EchoScene& scene, const EchoClassification& found, std::siz
       if (numbers.states[index] == GateState::Valid && isMeant(ray, gate))
       {
         ++all;
-        of += ClassOf(found.sweeps[sweep][index]) == echoClass ? 1 : 0;
+        of += ClassOf(found.sweeps[sweep].At(ray, gate)) == echoClass ? 1 : 0;
       }
     }
   }

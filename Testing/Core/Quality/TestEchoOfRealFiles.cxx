@@ -49,7 +49,7 @@ double PercentOut(const std::filesystem::path& path, std::size_t number, Quality
       if (codes[gate] >= GateCode::FirstValue && isMeant(place))
       {
         ++all;
-        const EchoReason reason = found.sweeps[number][ray * sweep.gates + gate];
+        const EchoReason reason = found.sweeps[number].At(ray, gate);
         out += RemovesClass(level, ClassOf(reason)) ? 1 : 0;
       }
     }
@@ -106,7 +106,7 @@ bool IsUniform(const PolarSweep& sweep, const std::vector<float>& values, std::s
 }
 
 void AddSweep(const PolarSweep& reflectivity, const PolarSweep& correlation,
-  const std::vector<EchoReason>& reasons, WeatherLost& lost)
+  const SweepReasons& reasons, WeatherLost& lost)
 {
   const std::vector<float> echo = ValuesOf(reflectivity);
   const std::vector<float> uniform = ValuesOf(correlation);
@@ -118,7 +118,7 @@ void AddSweep(const PolarSweep& reflectivity, const PolarSweep& correlation,
     if (gate < reflectivity.gates && echo[own] >= 0.0F && uniform[i] >= 0.85F &&
         IsUniform(correlation, uniform, i))
     {
-      const bool gone = RemovesClass(QualityLevel::Strict, ClassOf(reasons[own]));
+      const bool gone = RemovesClass(QualityLevel::Strict, ClassOf(reasons.At(ray, gate)));
       const bool core = echo[own] >= 45.0F;
       ++lost.weather;
       lost.gone += gone ? 1 : 0;
@@ -314,5 +314,11 @@ TEST(EchoOfRealFiles, TheClassesDoNotDependOnTheOrderOfTheWork)
       work(i, i + 1);
     }
   };
-  EXPECT_EQ(ClassifyEcho(volume, ThreadLoop(1)).sweeps, ClassifyEcho(volume, backward).sweeps);
+  const std::vector<SweepReasons> forward = ClassifyEcho(volume, ThreadLoop(1)).sweeps;
+  const std::vector<SweepReasons> found = ClassifyEcho(volume, backward).sweeps;
+  ASSERT_EQ(found.size(), forward.size());
+  for (std::size_t sweep = 0; sweep < found.size(); ++sweep)
+  {
+    EXPECT_EQ(found[sweep].reasons, forward[sweep].reasons);
+  }
 }

@@ -115,15 +115,14 @@ Score ScoreOf(const Scan& scan, const SimulatorOptions& given)
     {
       continue;
     }
-    const std::vector<EchoReason>& reasons = found.sweeps[number++];
-    const std::size_t gates = reasons.size() / sweep.rays.size();
+    const SweepReasons& reasons = found.sweeps[number++];
     for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
     {
       const MomentRow& row = sweep.rays[ray].Row(MomentName::REF);
       const std::vector<EchoKind>& kinds = truth.sweeps[cut][ray].reflectivityKinds;
       for (std::size_t gate = 0; gate < kinds.size(); ++gate)
       {
-        const EchoClass echoClass = ClassOf(reasons[ray * gates + gate]);
+        const EchoClass echoClass = ClassOf(reasons.At(ray, gate));
         AddGate(
           kinds[gate], row.Value(gate), RemovesClass(QualityLevel::Standard, echoClass), score);
       }

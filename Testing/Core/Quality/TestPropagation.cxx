@@ -174,7 +174,7 @@ TEST(Propagation, OfAPublishedCaseWithoutVelocitiesIsGround)
       if (numbers.states[index] == GateState::Valid && numbers.values[index] >= 10.0F)
       {
         ++all;
-        ground += ClassOf(found.sweeps[0][index]) == EchoClass::Ground ? 1 : 0;
+        ground += ClassOf(found.sweeps[0].At(ray, gate)) == EchoClass::Ground ? 1 : 0;
       }
     }
   }
