@@ -28,6 +28,9 @@ struct ColumnDirection
 class SiteGeometry
 {
 public:
+  /// No radar of the network has gates beyond, m. Columns that lie farther have the azimuth 0.
+  static constexpr double FarthestGate = 480'000.0;
+
   /// Only the columns within `reach` m of the site along the ground are kept (and some beyond, for
   /// what is kept is a box of columns), and of them only those of `block`; they are the same for
   /// any block.

@@ -19,9 +19,6 @@ namespace nexrad
 namespace
 {
 
-// No radar of the network has gates beyond; the geometry is kept so far from each site.
-constexpr double farthestGate = 480'000.0; // m
-
 constexpr double weatherCeiling = 18'000.0; // m above mean sea level (Formulas G4)
 
 // Rows between two reports of progress: few enough to stop soon, enough to share out.
@@ -257,7 +254,7 @@ std::size_t GeometryBytes(
   std::size_t bytes = 0;
   for (const Position& radar : radars)
   {
-    bytes += SiteGeometry::MemoryBytesOf(grid, radar, farthestGate, rows);
+    bytes += SiteGeometry::MemoryBytesOf(grid, radar, SiteGeometry::FarthestGate, rows);
   }
   return bytes;
 }
@@ -353,7 +350,7 @@ void BeamMerger::FindGeometries(const std::vector<Position>& positions, const Ra
     [&](std::size_t i)
     {
       *missing[i].second = std::make_shared<const SiteGeometry>(
-        grid, missing[i].first, farthestGate, options.beam, block);
+        grid, missing[i].first, SiteGeometry::FarthestGate, options.beam, block);
     });
 }
 
@@ -379,8 +376,8 @@ std::vector<MergeSite> BeamMerger::MakeSites(
     const BeamVolume& any = *group.second.front();
     const Position& position = *any.site.position;
     const bool byDistance = StrategyFor(any.moment, options.strategy) == OverlapStrategy::Distance;
-    const double reach =
-      LargestOf(group.second, [](const BeamSweep& sweep) { return sweep.Reach(); });
+    const double reach = std::min(SiteGeometry::FarthestGate,
+      LargestOf(group.second, [](const BeamSweep& sweep) { return sweep.Reach(); }));
     MergeSite site{number, position, nullptr,
       SiteLevels(grid, position.altitude, radius, byDistance ? options.overlapLength : 0.0), tilts,
       {}, ContextFor(any, options, radius), HalfTangentAt(reach, radius), {}, {}, {}, {}, {}, {}};

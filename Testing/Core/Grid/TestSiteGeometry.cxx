@@ -34,7 +34,9 @@ double LargestError(const GridSpecification& grid, const Position& site, double 
       const GroundDirection wanted = exact.Look(place[0], place[1]);
       const ColumnDirection& got = geometry.Row(y)[x - geometry.BeginX()];
       const double distance = 2.0 * radius * std::atan(static_cast<double>(got.halfTangent));
-      const double turn = AngleDifference(wanted.azimuth, static_cast<double>(got.azimuth));
+      const double turn = distance < SiteGeometry::FarthestGate
+                            ? AngleDifference(wanted.azimuth, static_cast<double>(got.azimuth))
+                            : static_cast<double>(got.azimuth);
       largest = std::max(largest, std::hypot(distance - wanted.groundDistance,
                                     turn * RadiansPerDegree * wanted.groundDistance));
     }
