@@ -2,6 +2,7 @@
 #include "nexrad/Compression/Container.h"
 
 #include "nexrad/Compression/Unlzw.h"
+#include "nexrad/System/MachineMemory.h"
 
 #include <bzlib.h>
 #include <zlib.h>
@@ -102,6 +103,7 @@ public:
     , window(windowBytes)
   {
     result.bytes.reserve(std::min(this->LikelySize(), maximum));
+    UseHugePages(result.bytes.data(), result.bytes.capacity());
   }
 
   Unpacked Run()
