@@ -18,6 +18,8 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 import SyntheticFiles
 from Tolerance import at_least
 
+HAS_OPENVDB = importlib.util.find_spec("pyopenvdb") is not None
+
 
 def example(name):
     return os.path.join(os.environ["NEXRAD_EXAMPLES"], name + ".py")
@@ -54,7 +56,8 @@ def merged_volume():
 class Usage(unittest.TestCase):
     names = sorted(os.path.splitext(os.path.basename(path))[0]
                    for path in glob.glob(os.path.join(os.environ["NEXRAD_EXAMPLES"], "*.py"))
-                   if "paraview" not in path and "dask" not in path)  # ParaView's Python and TestDask run these
+                   if "paraview" not in path and "dask" not in path  # ParaView's Python and TestDask run these
+                   and (HAS_OPENVDB or "openvdb" not in path))
 
     def refused(self, name, *arguments):
         done = subprocess.run([sys.executable, "-W", "error", example(name), *arguments], capture_output=True, text=True)
@@ -63,7 +66,7 @@ class Usage(unittest.TestCase):
         return done.returncode, done.stderr
 
     def test_without_arguments_an_example_says_how_it_is_used(self):
-        self.assertEqual(len(self.names), 9)
+        self.assertEqual(len(self.names), 10 if HAS_OPENVDB else 9)
         for name in self.names:
             status, said = self.refused(name)
             self.assertEqual(status, 2, name)
@@ -172,6 +175,23 @@ class Examples(unittest.TestCase):
         subprocess.run([os.environ["NEXRAD3D"], "render", merged_volume(), "-o", model, "--quiet"], check=True)
         run("draw_model", model, picture)
         at_least(self, len(numpy.unique(pixels(picture), axis=0)), 1000, "colours of the picture")
+
+    @unittest.skipUnless(HAS_OPENVDB, "needs pyopenvdb")
+    def test_volume_to_openvdb(self):
+        import pyopenvdb
+        path, file = merged_volume(), picture_path("volume").replace(".png", ".vdb")
+        said = run("volume_to_openvdb", path, file, "--least", "10")
+        volume = vtknexrad.Volume.open(path)
+        expected = numpy.maximum(volume["REF"].filled(10.0), numpy.float32(10.0))
+        grid = pyopenvdb.read(file, "REF")
+        values = numpy.empty(expected.transpose(2, 1, 0).shape, numpy.float32)
+        grid.copyToArray(values)
+        numpy.testing.assert_array_equal(values.transpose(2, 1, 0), expected)
+        self.assertEqual(grid.activeVoxelCount(), numpy.count_nonzero(expected > 10.0))
+        self.assertEqual(said, f"{file}: REF, {grid.activeVoxelCount()} active voxels\n")
+        self.assertEqual((grid.background, grid["unit"], grid["synthetic"]), (10.0, "dBZ", True))
+        numpy.testing.assert_allclose(grid.transform.indexToWorld((3, 100, 20)),
+                                      (volume.x[3], volume.y[100], volume.z[20]))
 
     def test_slices_in_vtk(self):
         picture = picture_path("slices")
