@@ -109,7 +109,7 @@ VolumeUse UseOfWriting(const VolumeFiles& files, const MergeOptions& options)
     return {1, exact ? 2 * sizeof(float) : 0};
   }
   constexpr std::size_t ghostType = 1;
-  constexpr std::size_t libraries = std::size_t(40) << 20; // of NetCDF and HDF5, with their buffers
+  constexpr std::size_t libraries = std::size_t(24) << 20; // of NetCDF and HDF5, with their buffers
   return {1, options.moments.size() * BytesOfAVoxel(options) + ghostType, 0, libraries};
 }
 

@@ -129,16 +129,20 @@ public:
 
   bool IsThere() const { return sweep != nullptr; }
 
-  void TurnTo(float azimuth) { entry = sweep != nullptr ? NearestEntry(*sweep, azimuth) : -1; }
+  void TurnTo(float azimuth)
+  {
+    const int entry = sweep != nullptr ? NearestEntry(*sweep, azimuth) : -1;
+    codes = entry < 0 ? nullptr : sweep->Row(static_cast<std::size_t>(entry));
+  }
 
   // The side of the beam towards this sweep, of an echo of `value` dBZ.
   BeamSide At(std::size_t gate, float value) const
   {
-    if (entry < 0 || gates[gate] < 0)
+    if (codes == nullptr || gates[gate] < 0)
     {
       return {};
     }
-    const std::uint16_t code = sweep->CodeAt(static_cast<std::size_t>(entry), gates[gate]);
+    const std::uint16_t code = codes[gates[gate]];
     if (code >= GateCode::FirstValue)
     {
       return {true, perDecibel * (sweep->scale.ValueOf(code) - value)};
@@ -152,8 +156,8 @@ private:
   const BeamSweep* sweep;
   float perDecibel = 0.0F;
   float perDecibelToNone = 0.0F;
-  std::vector<int> gates; // by gate of the other sweep
-  int entry = -1;         // of the ray that it is turned to; -1 without one
+  std::vector<int> gates;               // by gate of the other sweep
+  const std::uint16_t* codes = nullptr; // of the ray that it is turned to; nullptr without one
 };
 
 // Deconvolves the echo of a sweep above 0 dBZ. The values are rounded here: to a scale of their
@@ -179,10 +183,10 @@ public:
     }
     sharpened.scale = GateScale::Between(
       sweep.scale.ValueOf(values.least) - mostDown, sweep.scale.ValueOf(values.most) + mostUp);
-    const std::shared_ptr<std::uint16_t[]> codes(new std::uint16_t[sweep.CodeCount()]);
+    const std::shared_ptr<std::uint16_t[]> codes(new std::uint16_t[sweep.CodeCount()]());
     for (std::size_t entry = 0; entry < sweep.azimuths.size(); ++entry)
     {
-      this->SharpenRay(entry, sharpened.scale, codes.get() + sweep.held[entry].start);
+      this->SharpenRay(entry, sharpened.scale, codes.get() + entry * sweep.Stride());
     }
     sharpened.codes = codes;
     return sharpened;
@@ -191,7 +195,7 @@ public:
 private:
   void SharpenRay(std::size_t entry, const GateScale& scale, std::uint16_t* to)
   {
-    const GateRange held = sweep.Held(entry);
+    const GateRange& held = sweep.held[entry];
     if (held.IsEmpty())
     {
       return;
@@ -214,6 +218,7 @@ private:
                        : value);
       }
     }
+    to[sweep.gates] = to[sweep.gates - 1];
   }
 
   const BeamSweep& sweep;

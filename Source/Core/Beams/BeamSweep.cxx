@@ -29,8 +29,7 @@ CodeRange FindValueCodes(const BeamSweep& sweep)
     // the largest places.
     std::uint16_t least = GateCode::Last;
     std::uint16_t most = 0;
-    const GateRange held = sweep.Held(entry);
-    for (std::size_t gate = held.begin; gate < held.end; ++gate)
+    for (std::size_t gate = sweep.held[entry].begin; gate < sweep.held[entry].end; ++gate)
     {
       const auto place = static_cast<std::uint16_t>(codes[gate] - GateCode::FirstValue);
       least = std::min(least, place);

@@ -92,8 +92,7 @@ struct SweepMeans
 };
 
 /// One sweep as the merge by beams looks gates up: rays by azimuth, and the code of each gate in 16
-/// bits. Of each ray only the gates from the first to the last that holds anything but no echo are
-/// kept: most gates of most sweeps hold no echo.
+/// bits.
 ///
 /// Rays stand in the order of their azimuths, with the last one repeated before the first (less
 /// 360°) and the first after the last (plus 360°), so that each direction lies between an entry and
@@ -101,16 +100,6 @@ struct SweepMeans
 struct BeamSweep
 {
   static constexpr float BinsPerDegree = 2.0F;
-
-  /// The gates of an entry that are kept. Files have fewer than 2³² gates.
-  struct HeldGates
-  {
-    std::uint32_t start = 0; ///< where gate 0 would stand among the codes
-    std::uint16_t begin = 0;
-    std::uint16_t end = 0;
-
-    bool Holds(int gate) const { return gate >= begin && gate < end; }
-  };
 
   float elevation = 0.0F;     ///< degrees, median of the rays (Formulas Q7)
   float sine = 0.0F;          ///< of the elevation
@@ -130,10 +119,12 @@ struct BeamSweep
                                   ///< wide to interpolate across, and for the last
   std::vector<float> times;       ///< of the entries, s since `begin`
   std::vector<std::uint32_t> firstEntries;      ///< last entry at or before the start of each bin
-  std::vector<HeldGates> held;                  ///< of the entries
-  std::shared_ptr<const std::uint16_t[]> codes; ///< CodeCount(); shared by copies of the sweep
-  float halfWidth = 0.0F; ///< degrees that a ray is wide to either side at the edge of a gap
-  SweepMeans means;       ///< of the gates, for voxels coarser than these; may be empty
+  std::shared_ptr<const std::uint16_t[]> codes; ///< CodeCount(), the last gate of each entry
+                                                ///< repeated; shared by copies of the sweep
+  std::vector<GateRange> held; ///< of the entries: from the first to the last gate that holds
+                               ///< anything but no echo
+  float halfWidth = 0.0F;      ///< degrees that a ray is wide to either side at the edge of a gap
+  SweepMeans means;            ///< of the gates, for voxels coarser than these; may be empty
 
   /// True when the rays leave no gap too wide to interpolate across.
   bool IsClosed() const
@@ -151,21 +142,10 @@ struct BeamSweep
     }
     return entry;
   }
-  /// The codes that are kept, and room before them so that no entry starts before the first.
-  std::size_t CodeCount() const
-  {
-    return held.empty() ? 0 : std::size_t(held.back().start) + held.back().end;
-  }
-  /// The gates of an entry that are kept.
-  GateRange Held(std::size_t entry) const { return {held[entry].begin, held[entry].end}; }
-  /// The codes of an entry, by gates: those that are kept alone may be read.
-  const std::uint16_t* Row(std::size_t entry) const { return codes.get() + held[entry].start; }
-  /// The code of any gate of an entry, and no echo behind the last.
-  std::uint16_t CodeAt(std::size_t entry, int gate) const
-  {
-    const HeldGates& own = held[entry];
-    return own.Holds(gate) ? codes[own.start + static_cast<std::size_t>(gate)] : GateCode::NoEcho;
-  }
+  std::size_t Stride() const { return static_cast<std::size_t>(gates) + 1; }
+  std::size_t CodeCount() const { return azimuths.size() * this->Stride(); }
+  /// The codes of an entry.
+  const std::uint16_t* Row(std::size_t entry) const { return codes.get() + entry * this->Stride(); }
   /// Outer edge of the last gate, m.
   float Reach() const { return firstGate + (static_cast<float>(gates) - 0.5F) / gatesPerMetre; }
 };

@@ -98,22 +98,14 @@ void SetDirections(
 void SetCodes(const PolarSweep& source, const std::vector<SortedRay>& entries, BeamSweep& to)
 {
   to.scale = source.scale;
-  std::size_t count = source.gates; // room before the first, so that no entry starts before it
+  const std::shared_ptr<std::uint16_t[]> codes(new std::uint16_t[to.CodeCount()]);
+  std::uint16_t* row = codes.get();
   for (const SortedRay& entry : entries)
   {
-    const GateRange held = source.rows.Held(entry.ray, source.gates);
-    to.held.push_back({static_cast<std::uint32_t>(count - held.begin),
-      static_cast<std::uint16_t>(held.begin), static_cast<std::uint16_t>(held.end)});
-    count += held.Size();
-  }
-  const std::shared_ptr<std::uint16_t[]> codes(new std::uint16_t[count]);
-  std::vector<std::uint16_t> row(source.gates);
-  for (std::size_t i = 0; i < entries.size(); ++i)
-  {
-    const BeamSweep::HeldGates& held = to.held[i];
-    source.rows.Read(entries[i].ray, held.end, row.data());
-    std::copy(
-      row.begin() + held.begin, row.begin() + held.end, codes.get() + held.start + held.begin);
+    to.held.push_back(source.rows.Held(entry.ray, source.gates));
+    source.Read(entry.ray, row);
+    row[source.gates] = row[source.gates - 1];
+    row += to.Stride();
   }
   to.codes = codes;
 }
@@ -127,7 +119,7 @@ bool IsComplete(const BeamSweep& sweep)
   for (std::size_t entry = 0; entry < sweep.held.size(); ++entry)
   {
     const std::uint16_t* codes = sweep.Row(entry);
-    const GateRange held = sweep.Held(entry);
+    const GateRange& held = sweep.held[entry];
     const std::uint16_t* end = codes + held.end;
     if (std::find(codes + held.begin, end, GateCode::NotSampled) != end)
     {
@@ -203,8 +195,8 @@ std::size_t BeamVolume::MemoryBytes() const
   {
     bytes += sizeof(BeamSweep) + 4 * sweep.azimuths.size() * sizeof(float) +
              sweep.firstEntries.size() * sizeof(std::uint32_t) +
-             sweep.CodeCount() * sizeof(std::uint16_t) +
-             sweep.held.size() * sizeof(BeamSweep::HeldGates) + sweep.means.MemoryBytes();
+             sweep.CodeCount() * sizeof(std::uint16_t) + sweep.held.size() * sizeof(GateRange) +
+             sweep.means.MemoryBytes();
   }
   return bytes;
 }

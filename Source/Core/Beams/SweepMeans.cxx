@@ -333,10 +333,10 @@ private:
   {
     const RingGates& gates = ringGates[ring];
     const std::uint16_t* codes = sweep.Row(ray + 1);
-    const GateRange held = sweep.Held(ray + 1);
-    const GateRange both = Common({gates.begin, gates.end}, held);
-    if (both.IsEmpty() || std::all_of(codes + both.begin, codes + both.end,
-                            [](std::uint16_t code) { return code == GateCode::NoEcho; }))
+    const GateRange& held = sweep.held[ray + 1];
+    if (gates.begin >= held.end || gates.end <= held.begin ||
+        std::all_of(codes + gates.begin, codes + gates.end,
+          [](std::uint16_t code) { return code == GateCode::NoEcho; }))
     {
       return noEcho;
     }
@@ -346,7 +346,7 @@ private:
       const float weight = weights[gates.firstWeight + gate - gates.begin];
       if (weight > 0.0F)
       {
-        adder.Add(held.Holds(gate) ? codes[gate] : GateCode::NoEcho, weight, tally);
+        adder.Add(codes[gate], weight, tally);
       }
     }
     return tally;

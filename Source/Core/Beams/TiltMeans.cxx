@@ -59,8 +59,7 @@ public:
   {
     ++rays;
     const std::uint16_t* codes = sweep.Row(entry);
-    const GateRange held = sweep.Held(entry);
-    for (std::size_t gate = held.begin; gate < held.end; ++gate)
+    for (std::size_t gate = sweep.held[entry].begin; gate < sweep.held[entry].end; ++gate)
     {
       const std::uint16_t code = codes[gate];
       const std::size_t ring = rings[gate];

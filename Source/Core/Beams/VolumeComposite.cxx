@@ -74,7 +74,7 @@ private:
   void FindStrongest(std::size_t entry)
   {
     const std::uint16_t* codes = sweep.Row(entry);
-    const GateRange held = sweep.Held(entry);
+    const GateRange& held = sweep.held[entry];
     rayEcho = 0.0;
     strongest.assign(gates.size() - 1, GateCode::NoEcho);
     for (std::size_t ring = 0; ring + 1 < gates.size() && gates[ring] < held.end; ++ring)

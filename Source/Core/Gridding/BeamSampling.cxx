@@ -178,10 +178,10 @@ inline void ObserveGates(const BeamSweep& sweep, const RayPlace& rays, float pla
 {
   const int gate = static_cast<int>(place);
   const float along = place - static_cast<float>(gate);
-  const auto entry = static_cast<std::size_t>(rays.entry);
-  const std::uint16_t first[2] = {sweep.CodeAt(entry, gate), sweep.CodeAt(entry, gate + 1)};
-  const std::uint16_t second[2] = {
-    sweep.CodeAt(entry + 1, gate), sweep.CodeAt(entry + 1, gate + 1)};
+  const std::uint16_t* first = sweep.codes.get() +
+                               static_cast<std::size_t>(rays.entry) * sweep.Stride() +
+                               static_cast<std::size_t>(gate);
+  const std::uint16_t* second = first + sweep.Stride();
   if ((first[0] | first[1] | second[0] | second[1]) == GateCode::NoEcho)
   {
     observed.state = VoxelState::NoEcho;

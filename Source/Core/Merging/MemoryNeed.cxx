@@ -33,7 +33,7 @@ constexpr std::size_t programBytes = 80 * mebibyte;
 // compares the sum with what runs took.
 constexpr std::size_t decodedBytes = 16;    // of a file while it is decoded, with its polar data
 constexpr std::size_t furtherBytes = 8;     // and of each moment but the first
-constexpr double readyBytes = 3.0;          // of a moment that is ready for merges
+constexpr double readyBytes = 5.2;          // of a moment that is ready for merges
 constexpr double mostMeans = 4.9;           // of its means, for voxels twice as wide as most gates
 constexpr double widthOfMostMeans = 500.0;  // m, of these voxels; twice the width halves the means
 constexpr std::size_t leastFile = mebibyte; // smaller files stand for the start of larger ones
