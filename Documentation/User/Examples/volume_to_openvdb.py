@@ -37,8 +37,8 @@ def grid_of(path, moment, level, least):
     rows = vtknexrad.Volume.levels(path)[level][1]
     for first in range(0, rows, ROWS):
         part = vtknexrad.Volume.open(path, moment, level, rows=(first, min(first + ROWS, rows)))
-        values = numpy.maximum(part[moment].filled(least), least)  # (z, y, x)
-        grid.copyFromArray(values.transpose(2, 1, 0), ijk=(0, first, 0))
+        values = numpy.maximum(part[moment].filled(least), least).transpose(2, 1, 0)
+        grid.copyFromArray(numpy.ascontiguousarray(values), ijk=(0, first, 0))  # it does not look at strides
     return grid
 
 
