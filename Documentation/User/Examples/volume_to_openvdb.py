@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes a merged volume as sparse OpenVDB grid, for Blender and Houdini: volume_to_openvdb.py VOLUME.nxv FILE.vdb
 
-Voxels from a least value on are active (0 by default, as 0 dBZ); all others have this value as
-background. Axes are those of the volume, in metres. The volume is read 64 rows at a time, so a large
-one does not have to fit into memory.
+Voxels above a least value (0 by default, as 0 dBZ) are active; all others have this value as
+background. Axes are those of the volume, in metres. The volume is read 64 rows at a time.
 """
 
 import argparse
@@ -38,7 +37,7 @@ def grid_of(path, moment, level, least):
     for first in range(0, rows, ROWS):
         part = vtknexrad.Volume.open(path, moment, level, rows=(first, min(first + ROWS, rows)))
         values = numpy.maximum(part[moment].filled(least), least).transpose(2, 1, 0)
-        grid.copyFromArray(numpy.ascontiguousarray(values), ijk=(0, first, 0))  # it does not look at strides
+        grid.copyFromArray(numpy.ascontiguousarray(values), ijk=(0, first, 0))  # OpenVDB does not look at strides
     return grid
 
 

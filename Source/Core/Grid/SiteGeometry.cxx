@@ -121,7 +121,7 @@ double TangentOf(double angle)
 ColumnDirection DirectionOf(const Offset& offset, double effectiveRadius)
 {
   const double distance = std::sqrt(offset.east * offset.east + offset.north * offset.north);
-  const bool inReach = distance <= SiteGeometry::FarthestGate; // a third of a box is not
+  const bool inReach = distance <= SiteGeometry::FarthestGate; // corners of a box are not
   const double azimuth = inReach ? std::atan2(offset.east, offset.north) / RadiansPerDegree : 0.0;
   const auto turned = static_cast<float>(azimuth < 0.0 ? azimuth + 360.0 : azimuth);
   return {turned < 360.0F ? turned : 0.0F,
