@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Of a sweep only the gates that hold something are kept: each gate reads as the file has it.
-#include "BeamScene.h"
+#include "SweepMaker.h"
 #include "TestData.h"
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Quality/EchoGrid.h"
@@ -73,7 +73,8 @@ TEST(EchoGrid, ReadsGatesOfEchoAndOfNone)
       SetGate(numbers, ray, gate, static_cast<float>(gate) - 10.0F);
     }
   }
-  const PolarVolume volume = VolumeOf({numbers, MakeSweep(2, 1.5, 360, 40)});
+  const PolarVolume volume =
+    MakeVolume({38.7, -92.0, 200.0}, 0.0, {numbers, MakeSweep(2, 1.5, 360, 40)});
   ExpectGrid(volume.sweeps[0]);
   ExpectGrid(volume.sweeps[1]);
   EXPECT_EQ(EchoGrid(volume.sweeps[1]).Count(), 40U) << "no echo: nothing but the room before";
