@@ -129,20 +129,16 @@ public:
 
   bool IsThere() const { return sweep != nullptr; }
 
-  void TurnTo(float azimuth)
-  {
-    const int entry = sweep != nullptr ? NearestEntry(*sweep, azimuth) : -1;
-    codes = entry < 0 ? nullptr : sweep->Row(static_cast<std::size_t>(entry));
-  }
+  void TurnTo(float azimuth) { entry = sweep != nullptr ? NearestEntry(*sweep, azimuth) : -1; }
 
   // The side of the beam towards this sweep, of an echo of `value` dBZ.
   BeamSide At(std::size_t gate, float value) const
   {
-    if (codes == nullptr || gates[gate] < 0)
+    if (entry < 0 || gates[gate] < 0)
     {
       return {};
     }
-    const std::uint16_t code = codes[gates[gate]];
+    const std::uint16_t code = sweep->CodeAt(static_cast<std::size_t>(entry), gates[gate]);
     if (code >= GateCode::FirstValue)
     {
       return {true, perDecibel * (sweep->scale.ValueOf(code) - value)};
@@ -156,8 +152,8 @@ private:
   const BeamSweep* sweep;
   float perDecibel = 0.0F;
   float perDecibelToNone = 0.0F;
-  std::vector<int> gates;               // by gate of the other sweep
-  const std::uint16_t* codes = nullptr; // of the ray that it is turned to; nullptr without one
+  std::vector<int> gates; // by gate of the other sweep
+  int entry = -1;         // of the ray that it is turned to; -1 without one
 };
 
 // Deconvolves the echo of a sweep above 0 dBZ. The values are rounded here: to a scale of their
@@ -218,7 +214,10 @@ private:
                        : value);
       }
     }
-    to[sweep.gates] = to[sweep.gates - 1];
+    if (sweep.storedGates == sweep.gates)
+    {
+      to[sweep.gates] = to[sweep.gates - 1];
+    }
   }
 
   const BeamSweep& sweep;

@@ -92,7 +92,8 @@ struct SweepMeans
 };
 
 /// One sweep as the merge by beams looks gates up: rays by azimuth, and the code of each gate in 16
-/// bits.
+/// bits. Behind the last gate of all rays that holds anything but no echo none are stored: most
+/// tilts leave the echo long before their rays end.
 ///
 /// Rays stand in the order of their azimuths, with the last one repeated before the first (less
 /// 360°) and the first after the last (plus 360°), so that each direction lies between an entry and
@@ -107,6 +108,7 @@ struct BeamSweep
   float firstGate = 0.0F;     ///< m, slant range of the first gate's centre
   float gatesPerMetre = 0.0F; ///< 1 / spacing of the gates
   int gates = 0;              ///< of each ray
+  int storedGates = 0;        ///< of each ray; those behind them hold no echo
   GateScale scale;            ///< of the codes
   bool strays = false;        ///< rays that stray from the cut were left out
   bool complete = false;      ///< the rays leave no gap, and all of their gates were sampled
@@ -119,8 +121,9 @@ struct BeamSweep
                                   ///< wide to interpolate across, and for the last
   std::vector<float> times;       ///< of the entries, s since `begin`
   std::vector<std::uint32_t> firstEntries;      ///< last entry at or before the start of each bin
-  std::shared_ptr<const std::uint16_t[]> codes; ///< CodeCount(), the last gate of each entry
-                                                ///< repeated; shared by copies of the sweep
+  std::shared_ptr<const std::uint16_t[]> codes; ///< CodeCount(): of each entry the stored gates,
+                                                ///< and the gate behind them or the last again;
+                                                ///< shared by copies of the sweep
   std::vector<GateRange> held; ///< of the entries: from the first to the last gate that holds
                                ///< anything but no echo
   float halfWidth = 0.0F;      ///< degrees that a ray is wide to either side at the edge of a gap
@@ -142,10 +145,15 @@ struct BeamSweep
     }
     return entry;
   }
-  std::size_t Stride() const { return static_cast<std::size_t>(gates) + 1; }
+  std::size_t Stride() const { return static_cast<std::size_t>(storedGates) + 1; }
   std::size_t CodeCount() const { return azimuths.size() * this->Stride(); }
-  /// The codes of an entry.
+  /// The codes of the stored gates of an entry.
   const std::uint16_t* Row(std::size_t entry) const { return codes.get() + entry * this->Stride(); }
+  /// The code of any gate of an entry.
+  std::uint16_t CodeAt(std::size_t entry, int gate) const
+  {
+    return gate < storedGates ? this->Row(entry)[gate] : GateCode::NoEcho;
+  }
   /// Outer edge of the last gate, m.
   float Reach() const { return firstGate + (static_cast<float>(gates) - 0.5F) / gatesPerMetre; }
 };

@@ -98,13 +98,20 @@ void SetDirections(
 void SetCodes(const PolarSweep& source, const std::vector<SortedRay>& entries, BeamSweep& to)
 {
   to.scale = source.scale;
-  const std::shared_ptr<std::uint16_t[]> codes(new std::uint16_t[to.CodeCount()]);
-  std::uint16_t* row = codes.get();
+  std::size_t stored = 0;
   for (const SortedRay& entry : entries)
   {
     to.held.push_back(source.rows.Held(entry.ray, source.gates));
-    source.Read(entry.ray, row);
-    row[source.gates] = row[source.gates - 1];
+    stored = std::max(stored, to.held.back().end);
+  }
+  to.storedGates = static_cast<int>(stored);
+  const std::shared_ptr<std::uint16_t[]> codes(new std::uint16_t[to.CodeCount()]);
+  const std::size_t read = std::min(to.Stride(), source.gates);
+  std::uint16_t* row = codes.get();
+  for (const SortedRay& entry : entries)
+  {
+    source.rows.Read(entry.ray, read, row);
+    row[stored] = row[read - 1];
     row += to.Stride();
   }
   to.codes = codes;

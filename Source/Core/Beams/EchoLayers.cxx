@@ -33,6 +33,8 @@ std::vector<const BeamSweep*> OneOfEachTilt(const std::vector<BeamSweep>& sweeps
   }
   std::stable_sort(sorted.begin(), sorted.end(),
     [](const BeamSweep* a, const BeamSweep* b) { return a->elevation < b->elevation; });
+  const auto gatesOf = [](const BeamSweep& sweep)
+  { return sweep.azimuths.size() * (static_cast<std::size_t>(sweep.gates) + 1); };
   std::vector<const BeamSweep*> tilts;
   for (const BeamSweep* sweep : sorted)
   {
@@ -40,7 +42,7 @@ std::vector<const BeamSweep*> OneOfEachTilt(const std::vector<BeamSweep>& sweeps
     {
       tilts.push_back(sweep);
     }
-    else if (sweep->CodeCount() > tilts.back()->CodeCount())
+    else if (gatesOf(*sweep) > gatesOf(*tilts.back()))
     {
       tilts.back() = sweep;
     }

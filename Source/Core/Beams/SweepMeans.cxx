@@ -333,10 +333,9 @@ private:
   {
     const RingGates& gates = ringGates[ring];
     const std::uint16_t* codes = sweep.Row(ray + 1);
-    const GateRange& held = sweep.held[ray + 1];
-    if (gates.begin >= held.end || gates.end <= held.begin ||
-        std::all_of(codes + gates.begin, codes + gates.end,
-          [](std::uint16_t code) { return code == GateCode::NoEcho; }))
+    const GateRange held = Common({gates.begin, gates.end}, sweep.held[ray + 1]);
+    if (held.IsEmpty() || std::all_of(codes + held.begin, codes + held.end,
+                            [](std::uint16_t code) { return code == GateCode::NoEcho; }))
     {
       return noEcho;
     }
@@ -346,7 +345,7 @@ private:
       const float weight = weights[gates.firstWeight + gate - gates.begin];
       if (weight > 0.0F)
       {
-        adder.Add(codes[gate], weight, tally);
+        adder.Add(held.Holds(gate) ? codes[gate] : GateCode::NoEcho, weight, tally);
       }
     }
     return tally;

@@ -172,7 +172,8 @@ inline void ObserveMeans(const SweepMeans& means, const RayPlace& rays, float az
   Decide(about, rule, observed);
 }
 
-// What a sweep has between two of its rays, at a place along them that is counted in gates.
+// What a sweep has between two of its rays, at a place along them that is counted in gates and lies
+// before the end of those that are stored.
 inline void ObserveGates(const BeamSweep& sweep, const RayPlace& rays, float place,
   const ValueRule& rule, Observed& observed)
 {
@@ -246,11 +247,12 @@ inline void Observe(const BeamSweep& sweep, float begin, const ColumnDirection& 
   if (place.range < sweep.means.reach)
   {
     ObserveMeans(sweep.means, place.rays, column.azimuth, place.range, context.rule, observed);
+    return;
   }
-  else
+  const float gate = std::clamp(place.gate, 0.0F, static_cast<float>(sweep.gates - 1));
+  if (gate < static_cast<float>(sweep.storedGates))
   {
-    const float last = static_cast<float>(sweep.gates - 1);
-    ObserveGates(sweep, place.rays, std::clamp(place.gate, 0.0F, last), context.rule, observed);
+    ObserveGates(sweep, place.rays, gate, context.rule, observed);
   }
 }
 

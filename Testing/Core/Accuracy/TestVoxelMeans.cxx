@@ -64,7 +64,7 @@ public:
       const double ground = beam.Locate(range, elevation).groundDistance;
       for (std::size_t entry = 1; entry + 1 < sweep.azimuths.size(); ++entry)
       {
-        const std::uint16_t code = sweep.Row(entry)[gate];
+        const std::uint16_t code = sweep.CodeAt(entry, gate);
         if (code != GateCode::RangeFolded && code != GateCode::NotSampled)
         {
           const double angle = static_cast<double>(sweep.azimuths[entry]) * RadiansPerDegree;
