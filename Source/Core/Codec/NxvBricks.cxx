@@ -428,4 +428,16 @@ void ReadBricks(const NxvArray& array, const std::array<int, 3>& dimensions,
     });
 }
 
+std::size_t CountVoxelsThatDiffer(const NxvArray& array, const std::array<int, 3>& dimensions,
+  const VoxelBlock& block, const PayloadReader& read)
+{
+  std::size_t voxels = 0;
+  for (const StoredBrick& brick :
+    FindBricks(array, dimensions, block, ReadIndex(array, dimensions, read)))
+  {
+    voxels += brick.length > 0 ? brick.voxels.VoxelCount() : 0;
+  }
+  return voxels;
+}
+
 } // namespace nexrad

@@ -104,6 +104,11 @@ private:
 void ReadBricks(const NxvArray& array, const std::array<int, 3>& dimensions,
   const VoxelBlock& block, const PayloadReader& read, std::uint8_t* target, const RangeLoop& loop);
 
+/// Voxels of the bricks that have voxels of a block, and of which not all are equal. Throws Error
+/// as ReadBricks does for an index.
+std::size_t CountVoxelsThatDiffer(const NxvArray& array, const std::array<int, 3>& dimensions,
+  const VoxelBlock& block, const PayloadReader& read);
+
 /// Bytes of the index of an array in bricks when it is unpacked.
 std::size_t NxvIndexBytes(const NxvArray& array, const std::array<int, 3>& dimensions);
 

@@ -174,15 +174,19 @@ void CheckNxvPayloads(NxvInput& file, const NxvContent& content)
   }
 }
 
+PayloadReader PayloadOf(NxvInput& file, std::uint64_t offset)
+{
+  return [&file, offset](std::uint64_t from, std::size_t size)
+  { return file.ReadAll(offset + from, size); };
+}
+
 void ReadArray(NxvInput& file, std::uint64_t offset, const NxvArray& array,
   const GridSpecification& grid, const VoxelBlock& block, std::uint8_t* target,
   const RangeLoop& loop)
 {
   if (array.storage == NxvStorage::Bricks)
   {
-    const auto read = [&file, offset](std::uint64_t from, std::size_t size)
-    { return file.ReadAll(offset + from, size); };
-    ReadBricks(array, grid.dimensions, block, read, target, loop);
+    ReadBricks(array, grid.dimensions, block, PayloadOf(file, offset), target, loop);
     return;
   }
   const std::size_t size = grid.VoxelCount() * BytesOf(array.type);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "nexrad/Codec/NxvBricks.h"
 #include "nexrad/Codec/NxvHeader.h"
 #include "nexrad/Grid/GridSpecification.h"
 #include "nexrad/System/Error.h"
@@ -71,5 +72,8 @@ void CheckNxvPayloads(NxvInput& file, const NxvContent& content);
 void ReadArray(NxvInput& file, std::uint64_t offset, const NxvArray& array,
   const GridSpecification& grid, const VoxelBlock& block, std::uint8_t* target,
   const RangeLoop& loop);
+
+/// Reads parts of the payload of an array that begins at `offset`. `file` must outlive it.
+PayloadReader PayloadOf(NxvInput& file, std::uint64_t offset);
 
 } // namespace nexrad

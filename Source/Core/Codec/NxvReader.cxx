@@ -79,11 +79,12 @@ VoxelCodes ByteCodesOf(const NxvArray& array, float fill)
   return meaning;
 }
 
-// `bytesBesides`: of each voxel, for its further arrays and for the caller.
-void CheckMemory(const GridSpecification& grid, std::size_t bytesBesides, std::size_t maximumBytes)
+// Of a voxel: a value, a state, and a code while it is decoded.
+constexpr std::size_t bytesOfValues = sizeof(float) + sizeof(VoxelState) + 1;
+constexpr std::size_t bytesOfCodes = 1;
+
+void CheckMemory(const GridSpecification& grid, std::size_t bytesPerVoxel, std::size_t maximumBytes)
 {
-  // A value, a state, and a code while it is decoded.
-  const std::size_t bytesPerVoxel = sizeof(float) + sizeof(VoxelState) + 1 + bytesBesides;
   if (grid.VoxelCount() > maximumBytes / bytesPerVoxel)
   {
     throw Error(std::to_string(grid.VoxelCount()) + " voxels of " + std::to_string(bytesPerVoxel) +
@@ -438,9 +439,11 @@ CodedVolume ReadCodedVoxels(const Reading& reading, MomentName moment)
   return coded;
 }
 
-// Checks what can be checked before voxels are read. Bricks have check sums of their own: those of
+// Checks what can be checked before voxels are read, which take so many bytes beside their further
+// arrays. Bricks have check sums of their own: those of
 // whole payloads are looked at only where all bricks are read.
-Reading BeginReading(NxvInput& file, const NxvContent& content, const NxvReadOptions& options)
+Reading BeginReading(NxvInput& file, const NxvContent& content, const NxvReadOptions& options,
+  std::size_t bytesOfVoxel)
 {
   const GridSpecification& grid = content.header.volume.grid;
   const VoxelBlock block = options.block.value_or(VoxelBlock::Of(grid));
@@ -449,7 +452,7 @@ Reading BeginReading(NxvInput& file, const NxvContent& content, const NxvReadOpt
   const bool bricks = std::all_of(arrays.begin(), arrays.end(),
     [](const NxvArray& array) { return array.storage == NxvStorage::Bricks; });
   CheckMemory(PartOf(grid, bricks ? block : VoxelBlock::Of(grid)),
-    FurtherBytes(content.header, options), options.maximumBytes);
+    bytesOfVoxel + FurtherBytes(content.header, options), options.maximumBytes);
   if (all || !bricks)
   {
     CheckNxvPayloads(file, content);
@@ -492,7 +495,7 @@ GriddedVolume ReadNxv(const fs::path& path, const NxvReadOptions& options)
     [&options](NxvInput& file, const NxvContent& whole)
     {
       const NxvContent content = LevelOf(whole, options.level);
-      return ReadVoxels(BeginReading(file, content, options));
+      return ReadVoxels(BeginReading(file, content, options, bytesOfValues));
     });
 }
 
@@ -508,7 +511,7 @@ std::optional<CodedVolume> ReadNxvCodes(
       {
         return std::nullopt;
       }
-      return ReadCodedVoxels(BeginReading(file, content, options), *moment);
+      return ReadCodedVoxels(BeginReading(file, content, options, bytesOfCodes), *moment);
     });
 }
 
@@ -516,6 +519,28 @@ bool HasNxvCodes(const fs::path& path, const NxvReadOptions& options)
 {
   return WithContent(path, [&options](const NxvInput&, const NxvContent& whole)
     { return CodedMoment(LevelOf(whole, options.level).header, options, false).has_value(); });
+}
+
+std::size_t CountVoxelsThatDiffer(const fs::path& path, const NxvReadOptions& options)
+{
+  return WithContent(path,
+    [&options](NxvInput& file, const NxvContent& whole)
+    {
+      const NxvContent content = LevelOf(whole, options.level);
+      const GridSpecification& grid = content.header.volume.grid;
+      const VoxelBlock block = options.block.value_or(VoxelBlock::Of(grid));
+      const char* moment = ToString(WantedMoments(content.header, options).front());
+      std::size_t voxels = block.VoxelCount();
+      ReadEachArray(content,
+        [&](std::uint64_t offset, const NxvArray& array)
+        {
+          if (array.name == moment && array.storage == NxvStorage::Bricks)
+          {
+            voxels = CountVoxelsThatDiffer(array, grid.dimensions, block, PayloadOf(file, offset));
+          }
+        });
+      return voxels;
+    });
 }
 
 GriddedVolume ReadNxvHeader(const fs::path& path)

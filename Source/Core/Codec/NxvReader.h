@@ -60,6 +60,12 @@ std::optional<CodedVolume> ReadNxvCodes(
 /// Whether ReadNxvCodes would give something, of all states or not.
 bool HasNxvCodes(const std::filesystem::path& path, const NxvReadOptions& options = {});
 
+/// Voxels that take memory in the pages of a picture: of a file in bricks those of the bricks that
+/// have some of the wanted block and of which not all are equal, in the first wanted moment; of
+/// others all of the block.
+std::size_t CountVoxelsThatDiffer(
+  const std::filesystem::path& path, const NxvReadOptions& options = {});
+
 /// Reads the header alone: the same volume without values, states and ancillary arrays.
 GriddedVolume ReadNxvHeader(const std::filesystem::path& path);
 

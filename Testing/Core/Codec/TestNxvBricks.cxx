@@ -191,6 +191,24 @@ TEST(NxvBricks, ABoxIsReadWithoutTheRest)
   EXPECT_NE(MessageOf([&] { ReadNxv(path, box); }).find("more memory"), std::string::npos);
 }
 
+TEST(NxvBricks, TellHowManyVoxelsDiffer)
+{
+  const TemporaryFolder folder;
+  const fs::path bricks = folder.Path() / "bricks.nxv";
+  const GriddedVolume volume = MakeLarge();
+  WriteBricks(bricks, volume);
+  constexpr std::size_t brick = 64 * 64 * 8; // the corner that is not scanned has one
+  EXPECT_EQ(CountVoxelsThatDiffer(bricks), volume.grid.VoxelCount() - brick);
+  NxvReadOptions box;
+  box.block = VoxelBlock{{0, 0, 0}, {64, 64, 8}};
+  EXPECT_EQ(CountVoxelsThatDiffer(bricks, box), 0U);
+  box.block->end[0] = 65; // and a part of the next brick
+  EXPECT_EQ(CountVoxelsThatDiffer(bricks, box), brick);
+  const fs::path whole = folder.Path() / "whole.nxv";
+  WriteNxv(whole, volume);
+  EXPECT_EQ(CountVoxelsThatDiffer(whole, box), box.block->VoxelCount());
+}
+
 // Of 16 million voxels that are alike.
 TEST(NxvBricks, WhatIsAlikeTakesNoSpace)
 {
