@@ -37,8 +37,9 @@ std::vector<int> FindDimensions(vtkDataSet* input)
   return points != nullptr ? std::vector<int>(points, points + 3) : std::vector<int>();
 }
 
-/// Whether a volume of these dimensions has a thickness along each axis and fits a texture. A
-/// volume whose source has not run yet has no dimensions: then nothing speaks against it.
+/// Whether a volume of these dimensions has a thickness along each axis, and one of a rectilinear
+/// grid fits a texture. A volume whose source has not run yet has no dimensions: then nothing
+/// speaks against it.
 bool CanHold(vtkOpenGLRenderWindow* window, vtkDataSet* input, bool cellData)
 {
   const std::vector<int> points = FindDimensions(input);
@@ -53,7 +54,7 @@ bool CanHold(vtkOpenGLRenderWindow* window, vtkDataSet* input, bool cellData)
   }
   const int limit = vtkTextureObject::GetMaximumTextureSize3D(window); // -1: no context yet
   const auto [least, most] = std::minmax_element(points.begin(), points.end());
-  return *least > 1 && (limit <= 0 || *most - (cellData ? 1 : 0) <= limit);
+  return *least > 1 && (grid == nullptr || limit <= 0 || *most - (cellData ? 1 : 0) <= limit);
 }
 
 /// What VTK's ray caster would do and the slices leave out; empty: nothing.
@@ -82,6 +83,11 @@ vtkOpenGLTextureSliceVolumeMapper::~vtkOpenGLTextureSliceVolumeMapper()
 int vtkOpenGLTextureSliceVolumeMapper::GetNumberOfDrawnSlices() const
 {
   return this->Parts->Planes.NumberOfSlices;
+}
+
+vtkIdType vtkOpenGLTextureSliceVolumeMapper::GetTextureBytes() const
+{
+  return static_cast<vtkIdType>(this->Parts->Texture.CountBytes());
 }
 
 int vtkOpenGLTextureSliceVolumeMapper::GetDrawnWay() const
@@ -127,7 +133,9 @@ int vtkOpenGLTextureSliceVolumeMapper::IsRenderSupported(
 
 void vtkOpenGLTextureSliceVolumeMapper::GetReductionRatio(double ratio[3])
 {
-  std::vector<int> size = FindDimensions(this->GetTransformedInput(0));
+  // Images that are larger are stored in pages.
+  auto* grid = vtkRectilinearGrid::SafeDownCast(this->GetTransformedInput(0));
+  std::vector<int> size = FindDimensions(grid);
   size.resize(3, 1);
   GLint limit = 0;
   glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &limit);
@@ -454,6 +462,7 @@ void vtkOpenGLTextureSliceVolumeMapper::SetFeatures(vtkRenderer* renderer)
   vtkTextureSliceFeatures& features = parts.Features;
   features = parts.Request.GetFeatures();
   features.Masked = parts.Texture.IsMasked();
+  features.Paged = parts.Texture.IsPaged();
   features.SecondMasked = features.SecondArray > 0 && parts.SecondArray.IsMasked();
   features.Rectilinear = parts.Coordinates.IsUsed();
   features.Blanked = parts.HasBlanks;

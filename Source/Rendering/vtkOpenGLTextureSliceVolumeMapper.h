@@ -31,12 +31,13 @@
  * Not supported, and refused by IsRenderSupported and with an error: slice blending without a
  * vtkPlane, grids whose coordinates do not ascend, several volumes in one mapper, a label map with
  * several components or two-dimensional functions, one or three dependent components, four that are
- * not unsigned char, isosurfaces of other components, volumes larger than the largest 3-D texture,
- * and a 2-D image, which has no thickness. Refused with an error when it is met: four components
- * with hidden points, render passes that peel volumes in a way that is not VTK's, and VTK's peeling
- * in a window with multisamples, which draws nothing translucent. What is refused or ignored is
- * said once, not in each frame. Jittering and VolumetricScatteringBlending are ignored; user
- * shaders are ignored with a warning. A hardware selection finds the volume, not its voxels.
+ * not unsigned char, isosurfaces of other components, rectilinear grids, masks and second arrays
+ * larger than the largest 3-D texture, and a 2-D image, which has no thickness. Refused with an
+ * error when it is met: four components with hidden points, render passes that peel volumes in a
+ * way that is not VTK's, and VTK's peeling in a window with multisamples, which draws nothing
+ * translucent. What is refused or ignored is said once, not in each frame. Jittering and
+ * VolumetricScatteringBlending are ignored; user shaders are ignored with a warning. A hardware
+ * selection finds the volume, not its voxels.
  */
 #ifndef vtkOpenGLTextureSliceVolumeMapper_h
 #define vtkOpenGLTextureSliceVolumeMapper_h
@@ -190,6 +191,15 @@ public:
   int GetNumberOfDrawnSlices() const;
   ///@}
 
+  /**
+   * Texture memory of the scalars in the last frame, in bytes; 0 before the first. An image that
+   * needs more than MaxMemoryInBytes (256 MiB where that is 0, the default) is stored in pages,
+   * where these take less, and so is one that is larger than the largest texture: of all pages of
+   * about 17 x 17 x 17 points in which all scalars are equal, or hidden, one is stored. The picture
+   * is the same.
+   */
+  vtkIdType GetTextureBytes() const;
+
   ///@{
   /**
    * Whether light and gradient opacity take the gradient from the eight corners of a cube of three
@@ -235,8 +245,8 @@ public:
   ///@}
 
   /**
-   * Factors that would make the input fit the largest 3-D texture; 1 where it fits already. An
-   * OpenGL context must be current.
+   * Factors that would make a rectilinear grid fit the largest 3-D texture; 1 where it fits
+   * already, and for images. An OpenGL context must be current.
    */
   void GetReductionRatio(double ratio[3]) override;
 

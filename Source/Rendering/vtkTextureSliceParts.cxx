@@ -78,6 +78,7 @@ std::vector<vtkTextureSliceParts::Sampler> vtkTextureSliceParts::FindSamplers()
 {
   const vtkTextureSliceFeatures& features = this->Features;
   return {{true, "volumeTexture", this->Texture.GetTexture()},
+    {features.Paged, "pageTable", this->Texture.GetPages().GetTable()},
     {true, "transferTable", this->Table.GetTexture()},
     {features.Table2D, "transferTable2D", this->Table2D.GetTexture()},
     {features.Rectilinear, "coordinateTable", this->Coordinates.GetTexture()},
@@ -107,6 +108,10 @@ void vtkTextureSliceParts::SetUniforms(vtkShaderProgram* program)
   program->SetUniformf("labelWeight", this->Request.Mapper->GetMaskBlendFactor());
   program->SetUniformi("slabsOfPiece", vtkTextureSliceFeatures::SlabsOfPiece);
   this->Integrals.SetUniforms(program);
+  if (features.Paged)
+  {
+    this->Texture.GetPages().SetUniforms(program);
+  }
   if (features.Lights >= 0)
   {
     this->Lights.SetUniforms(program, this->Frame);
@@ -177,7 +182,8 @@ std::string vtkTextureSliceParts::UpdateVolume()
   }
   auto source = vtkTextureSliceScalars::Find(this->Image, this->Scalars, cellData);
   source.Places = this->Coordinates.GetPlaces();
-  std::string error = this->Texture.Update(this->Window, source, nearest);
+  std::string error =
+    this->Texture.Update(this->Window, source, nearest, this->Request.CountMostBytes());
   if (!error.empty())
   {
     return error;

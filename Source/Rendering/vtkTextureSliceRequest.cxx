@@ -145,8 +145,8 @@ std::string vtkTextureSliceFeatures::GetDefines() const
   }
   // Defined where they are above 0.
   for (const auto& [name, number] :
-    {Named("MASKED", this->Masked), {"BLANKED", this->Blanked}, {"RECTILINEAR", this->Rectilinear},
-      {"CROPPED", this->Cropped}, {"PARALLEL", this->Parallel},
+    {Named("MASKED", this->Masked), {"PAGED", this->Paged}, {"BLANKED", this->Blanked},
+      {"RECTILINEAR", this->Rectilinear}, {"CROPPED", this->Cropped}, {"PARALLEL", this->Parallel},
       {"GRADIENT_OPACITY", this->GradientOpacity}, {"SMOOTH_GRADIENT", this->SmoothGradient},
       {"CLIPPED_SCALARS", this->ClippedScalars && this->ClippingPlanes > 0},
       {"TABLE_2D", this->Table2D}, {"EXTREME_SAMPLE", this->ExtremeSample},
@@ -216,6 +216,12 @@ const char* vtkTextureSliceRequest::FindUnsupported() const
         (this->Components > 2 || (this->Components == 2 && !dependent)),
       "isosurfaces are supported for one component and for two dependent ones (colour, surface) "
       "alone: choose one component, or call IndependentComponentsOff"}});
+}
+
+std::size_t vtkTextureSliceRequest::CountMostBytes() const
+{
+  const vtkIdType most = this->Mapper->GetMaxMemoryInBytes();
+  return most > 0 ? static_cast<std::size_t>(most) : vtkTextureSlicePages::UsualMemory;
 }
 
 std::vector<double> vtkTextureSliceRequest::GetIsoValues() const

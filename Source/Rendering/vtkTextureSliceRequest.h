@@ -25,6 +25,7 @@ struct vtkTextureSliceFeatures
   /// Sets of transfer functions: 1, or the number of components if each has its own.
   int Functions = 1;
   bool Masked = false;      ///< the volume's last component is its mask
+  bool Paged = false;       ///< the volume's texture is an atlas of pages
   bool Blanked = false;     ///< there are cells, or points, whose ghost flags hide samples
   bool Rectilinear = false; ///< the distances of the points differ
   bool Cropped = false;     ///< samples must be tested against the cropping regions
@@ -110,6 +111,8 @@ struct vtkTextureSliceRequest
   /// One for each set of functions.
   std::vector<vtkImageData*> MakeTables2D() const;
   bool ReadsSecondArray() const { return this->Has2D() && this->SecondArray != nullptr; }
+  /// Texture memory for the volume's scalars beyond which they are stored in pages.
+  std::size_t CountMostBytes() const;
 
   /// The functions of a component: its own, or the first ones.
   int GetFunctions(int component) const { return this->IsIndependent() ? component : 0; }

@@ -7,6 +7,7 @@
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -16,6 +17,7 @@
 #include "vtkRectilinearGrid.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkVolumeProperty.h"
 
 #if __has_include("vtk_glad.h")
@@ -25,6 +27,7 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <memory>
@@ -246,18 +249,31 @@ TEST_F(MapperLife, FourComponentsCannotHideTheirPoints)
   EXPECT_NE(this->TakeMessages().find("four components with hidden points"), std::string::npos);
 }
 
-// The error names the size of the volume, the limit, and a size that fits; that size is drawn.
-TEST_F(MapperLife, VolumeBeyondTheLargestTextureNamesBoth)
+// The error names the size of a grid, the limit, and a size that fits; that size is drawn.
+TEST_F(MapperLife, GridBeyondTheLargestTextureNamesBoth)
 {
   vtkNew<vtkOpenGLTextureSliceVolumeMapper> mapper;
   auto scene = this->MakeScene();
   const auto draw = [&](int points)
   {
-    vtkNew<vtkImageData> rod;
+    vtkNew<vtkRectilinearGrid> rod;
     rod->SetDimensions(points, 2, 2);
-    rod->SetSpacing(CubeSide / (points - 1), CubeSide, CubeSide);
-    rod->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-    rod->GetPointData()->GetScalars()->Fill(1.0);
+    std::array<vtkNew<vtkDoubleArray>, 3> coordinates;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const int last = (axis == 0 ? points : 2) - 1;
+      for (int i = 0; i <= last; ++i)
+      {
+        coordinates[axis]->InsertNextValue(CubeSide * i / last);
+      }
+    }
+    rod->SetXCoordinates(coordinates[0]);
+    rod->SetYCoordinates(coordinates[1]);
+    rod->SetZCoordinates(coordinates[2]);
+    vtkNew<vtkUnsignedCharArray> scalars;
+    scalars->SetNumberOfTuples(rod->GetNumberOfPoints());
+    scalars->Fill(1.0);
+    rod->GetPointData()->SetScalars(scalars);
     mapper->SetInputData(rod);
     return this->Middle(*scene, mapper);
   };
@@ -276,6 +292,24 @@ TEST_F(MapperLife, VolumeBeyondTheLargestTextureNamesBoth)
   EXPECT_EQ(fitting, int(std::lround(40000 * ratio[0])));
   EXPECT_WITHIN(
     draw(fitting), Expected, 1.0, "brightness at the largest texture that fits, of 255", OneCode);
+}
+
+TEST_F(MapperLife, ImageBeyondTheLargestTexture)
+{
+  vtkNew<vtkImageData> rod;
+  rod->SetDimensions(40000, 2, 2);
+  rod->SetSpacing(CubeSide / 39999, CubeSide, CubeSide);
+  rod->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  rod->GetPointData()->GetScalars()->Fill(1.0);
+  vtkNew<vtkOpenGLTextureSliceVolumeMapper> mapper;
+  mapper->SetInputData(rod);
+  auto scene = this->MakeScene();
+  EXPECT_NE(mapper->IsRenderSupported(scene->GetWindow(), scene->GetProperty()), 0);
+  EXPECT_WITHIN(this->Middle(*scene, mapper), Expected, 1.0,
+    "brightness of an image of 40000 voxels along an axis, of 255", OneCode);
+  double ratio[3];
+  mapper->GetReductionRatio(ratio);
+  EXPECT_EQ(ratio[0], 1.0);
 }
 
 TEST_F(MapperLife, FlatImageIsAnError)

@@ -291,10 +291,10 @@ TEST_F(TimeSteps, UploadedBeforeTheFirstFrame)
   this->ExpectStep(image, "uploaded");
 
   vtkNew<vtkImageData> wrong;
-  wrong->SetDimensions(40000, 2, 2);
+  wrong->SetDimensions(9, 9, 1);
   wrong->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
   this->Mapper->SetInputData(wrong);
   EXPECT_FALSE(this->Mapper->PreLoadData(this->Stage->GetRenderer(), this->Stage->GetVolume()));
-  EXPECT_NE(this->TakeMessages().find("at most"), std::string::npos);
-  this->ExpectStep(MakeStep(20), "after a volume that did not fit");
+  EXPECT_NE(this->TakeMessages().find("no thickness"), std::string::npos);
+  this->ExpectStep(MakeStep(20), "after a volume that was refused");
 }

@@ -27,6 +27,41 @@ vec3 Place(vec3 at)
 }
 #endif
 
+#ifdef TEXTURE_SLICE_PAGED
+// The volume's texture is an atlas of pages (vtkTextureSlicePages): for each page of the volume its place there,
+// counted in pages.
+uniform sampler3D pageTable;
+uniform vec3 volumeTexels;
+uniform vec3 pageIntervals;
+uniform vec3 pageTexels;
+uniform vec3 lastPage;
+uniform vec3 atlasTexels;
+
+vec3 CountTexels()
+{
+  return volumeTexels;
+}
+
+vec4 FetchTexel(vec3 at)
+{
+  vec3 texel = clamp(Place(at) * volumeTexels - 0.5, vec3(0.0), volumeTexels - 1.0);
+  vec3 page = min(floor(texel / pageIntervals), lastPage);
+  vec3 slot = floor(texelFetch(pageTable, ivec3(page), 0).xyz * 255.0 + 0.5);
+  vec3 within = texel - min(page * pageIntervals, volumeTexels - pageTexels);
+  return textureLod(volumeTexture, (slot * pageTexels + within + 0.5) / atlasTexels, 0.0);
+}
+#else
+vec3 CountTexels()
+{
+  return vec3(textureSize(volumeTexture, 0));
+}
+
+vec4 FetchTexel(vec3 at)
+{
+  return textureLod(volumeTexture, Place(at), 0.0);
+}
+#endif
+
 #ifdef TEXTURE_SLICE_BLANKED
 // Above 0 where the ghost flags of cells (or of points, for scalars of cells) hide what is there.
 uniform sampler3D blankTexture;
@@ -35,7 +70,7 @@ bool IsBlanked(vec3 at)
 {
   // The first cell lies between two points, the first point at the corner of a cell.
   vec3 flags = vec3(textureSize(blankTexture, 0));
-  vec3 texels = vec3(textureSize(volumeTexture, 0));
+  vec3 texels = CountTexels();
   vec3 place = (Place(at) * texels + 0.5 * (flags - texels)) / flags;
   return textureLod(blankTexture, place, 0.0).r > 0.0;
 }
@@ -55,8 +90,8 @@ float FindVisiblePart(vec3 at, float here)
   float sum = here;
   for (float i = 1.0; i <= stair.w; ++i)
   {
-    sum += textureLod(volumeTexture, Place(at - i * stair.xyz), 0.0)[TEXTURE_SLICE_COMPONENTS];
-    sum += textureLod(volumeTexture, Place(at + i * stair.xyz), 0.0)[TEXTURE_SLICE_COMPONENTS];
+    sum += FetchTexel(at - i * stair.xyz)[TEXTURE_SLICE_COMPONENTS];
+    sum += FetchTexel(at + i * stair.xyz)[TEXTURE_SLICE_COMPONENTS];
   }
   return sum / (1.0 + 2.0 * stair.w);
 }
@@ -66,7 +101,7 @@ float FindVisiblePart(vec3 at, float here)
 // hidden ones, where the others are 0 too: their quotient is the mean of the visible points alone.
 float FetchVisibility(vec3 at, out vec4 scalars)
 {
-  scalars = textureLod(volumeTexture, Place(at), 0.0);
+  scalars = FetchTexel(at);
   float visible = 1.0;
 #ifdef TEXTURE_SLICE_MASKED
   visible = scalars[TEXTURE_SLICE_COMPONENTS];

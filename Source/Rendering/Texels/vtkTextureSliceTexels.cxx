@@ -5,8 +5,8 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cstring>
+#include <numeric>
 #include <type_traits>
 #include <utility>
 
@@ -15,13 +15,22 @@ namespace
 
 using Range = vtkTextureSliceBricks::Range;
 
-/// Intervals along a brick's edge: small bricks follow the data closely, but more than 64 of them
-/// along an axis cost more to look at than they save.
-int ChooseEdge(int longest)
+/// Intervals along a brick's edge: small bricks follow the data closely, but more of them than a
+/// cube of 64 has cost more to look at than they save.
+int ChooseEdge(const std::array<int, 3>& intervals)
 {
-  constexpr int least = 4;
-  constexpr int mostBricks = 64;
-  return std::max(least, (longest + mostBricks - 1) / mostBricks);
+  constexpr double most = 64.0 * 64.0 * 64.0;
+  // Of a texture along an axis; that of the distances has so many layers for each octant.
+  constexpr int mostAlongAxis = 2048;
+  constexpr int mostLayers = mostAlongAxis / 8;
+  int edge = 4;
+  const auto count = [&](std::size_t axis) { return (intervals[axis] + edge - 1) / edge; };
+  while (double(count(0)) * count(1) * count(2) > most || count(0) > mostAlongAxis ||
+         count(1) > mostAlongAxis || count(2) > mostLayers)
+  {
+    ++edge;
+  }
+  return edge;
 }
 
 template <typename Scalar>
@@ -34,25 +43,26 @@ public:
     , Count(count)
     , Rows(source)
     , Marks(Rows.Length)
+    , Hides(Rows.Length)
     , Low(Rows.Length * Rows.Components)
     , High(Rows.Length * Rows.Components)
   {
   }
 
-  /// @return whether there are texels that do not count
-  bool Scan(int row, Range* ranges)
+  /// @param hides of each brick of the row, whether it has texels that do not count
+  void Scan(int row, Range* ranges, unsigned char* hides)
   {
     std::fill(this->Low.begin(), this->Low.end(), std::numeric_limits<Scalar>::max());
     std::fill(this->High.begin(), this->High.end(), std::numeric_limits<Scalar>::lowest());
+    std::fill(this->Hides.begin(), this->Hides.end(), static_cast<unsigned char>(0));
     const auto [firstY, endY] = this->Reach(row % this->Count[1], 1);
     const auto [firstZ, endZ] = this->Reach(row / this->Count[1], 2);
-    bool invisible = false;
     for (int z = firstZ; z < endZ; ++z)
     {
       for (int y = firstY; y < endY; ++y)
       {
         this->Rows.MarkVisible(y, z, 0, this->Rows.Length, this->Marks.data());
-        invisible = invisible || std::memchr(this->Marks.data(), 0, this->Rows.Length) != nullptr;
+        this->TakeHidden();
         const std::size_t components = this->Rows.Components;
         for (std::size_t c = 0; c < components; ++c)
         {
@@ -65,8 +75,10 @@ public:
     for (int brick = 0; brick < this->Count[0]; ++brick, ranges += this->Rows.Components)
     {
       this->SetRanges(brick, ranges);
+      const auto [first, end] = this->Reach(brick, 0);
+      const unsigned char* columns = this->Hides.data();
+      hides[brick] = *std::max_element(columns + first, columns + end);
     }
-    return invisible;
   }
 
 private:
@@ -91,6 +103,17 @@ private:
     // Point scalars stand at the intervals' ends, cell scalars half a cell inside of them.
     return {std::max(0, this->Source.CellData ? first - 1 : first),
       std::min(this->Source.Size[axis], end + 1)};
+  }
+
+  void TakeHidden()
+  {
+    if (std::memchr(this->Marks.data(), 0, this->Rows.Length) != nullptr)
+    {
+      std::transform(this->Hides.begin(), this->Hides.end(), this->Marks.begin(),
+        this->Hides.begin(),
+        [](unsigned char hides, unsigned char counts)
+        { return static_cast<unsigned char>(hides | (counts ^ 1U)); });
+    }
   }
 
   /// Takes one component of a row of texels into the extremes of the columns.
@@ -133,6 +156,7 @@ private:
   const std::array<int, 3>& Count;
   vtkTextureSlice::Rows<Scalar> Rows;
   std::vector<unsigned char> Marks; ///< 1 for texels of a row that count
+  std::vector<unsigned char> Hides; ///< 1 for columns with texels that do not
   std::vector<Scalar> Low;          ///< of each component of each column of texels
   std::vector<Scalar> High;
 };
@@ -144,7 +168,8 @@ void vtkTextureSliceBricks::Build(const vtkTextureSliceScalars& source)
   std::array<int, 3> intervals = source.Size; // between the texels that the box spans
   std::for_each(intervals.begin(), intervals.end(),
     [&source](int& count) { count -= source.CellData ? 0 : 1; });
-  const int edge = ChooseEdge(*std::max_element(intervals.begin(), intervals.end()));
+  const int edge = ChooseEdge(intervals);
+  this->Intervals = edge;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     this->Count[axis] = (intervals[axis] + edge - 1) / edge;
@@ -154,7 +179,7 @@ void vtkTextureSliceBricks::Build(const vtkTextureSliceScalars& source)
   const vtkIdType rangesOfRow =
     static_cast<vtkIdType>(this->Count[0]) * source.Scalars->GetNumberOfComponents();
   this->Ranges.assign(static_cast<std::size_t>(rows * rangesOfRow), Range());
-  std::atomic<bool> invisible(false);
+  this->Hides.assign(static_cast<std::size_t>(rows * this->Count[0]), 0);
   const auto scan = [&](auto scalar)
   {
     vtkSMPTools::For(0, rows,
@@ -163,9 +188,8 @@ void vtkTextureSliceBricks::Build(const vtkTextureSliceScalars& source)
         RowScanner<decltype(scalar)> scanner(source, edge, this->Count);
         for (vtkIdType row = begin; row < end; ++row)
         {
-          const bool found =
-            scanner.Scan(static_cast<int>(row), this->Ranges.data() + row * rangesOfRow);
-          invisible = invisible || found;
+          scanner.Scan(static_cast<int>(row), this->Ranges.data() + row * rangesOfRow,
+            this->Hides.data() + row * this->Count[0]);
         }
       });
   };
@@ -173,7 +197,7 @@ void vtkTextureSliceBricks::Build(const vtkTextureSliceScalars& source)
   {
     vtkTemplateMacro(scan(VTK_TT()));
   }
-  this->HasInvisible = invisible;
+  this->HasInvisible = std::find(this->Hides.begin(), this->Hides.end(), 1) != this->Hides.end();
   for (Range& range : this->Ranges)
   {
     if (source.Codes && range.Low <= range.High)
@@ -186,6 +210,29 @@ void vtkTextureSliceBricks::Build(const vtkTextureSliceScalars& source)
   vtkTimeStamp now;
   now.Modified();
   this->BuildTime = now.GetMTime();
+}
+
+std::optional<std::vector<double>> vtkTextureSliceBricks::FindScalars(
+  const std::array<int, 3>& brick) const
+{
+  const auto number =
+    static_cast<std::size_t>((brick[2] * this->Count[1] + brick[1]) * this->Count[0] + brick[0]);
+  const std::size_t components = this->Ranges.size() / this->Hides.size();
+  std::vector<double> scalars;
+  for (std::size_t i = number * components; i < (number + 1) * components; ++i)
+  {
+    const Range& range = this->Ranges[i];
+    if (range.Low > range.High)
+    {
+      return std::vector<double>();
+    }
+    if (range.Low < range.High || this->Hides[number] != 0)
+    {
+      return std::nullopt;
+    }
+    scalars.push_back(range.Low);
+  }
+  return scalars;
 }
 
 namespace
@@ -453,22 +500,24 @@ bool vtkTextureSliceTexels::IsLike(const vtkTextureSliceTexels& other) const
            other.Components.end(), sameScale);
 }
 
+std::size_t vtkTextureSliceTexels::CountBytes(const std::array<int, 3>& size) const
+{
+  const auto bytesOfTexel = static_cast<std::size_t>(
+    vtkDataArray::GetDataTypeSize(this->ScalarType) * this->CountChannels());
+  return std::accumulate(size.begin(), size.end(), bytesOfTexel,
+    [](std::size_t product, int texels) { return product * static_cast<std::size_t>(texels); });
+}
+
 vtkTextureSliceChanges vtkTextureSliceTexels::Encode(
   const vtkTextureSliceScalars& source, std::vector<Box> boxes) const
 {
   vtkTextureSliceChanges changes;
-  const auto bytesOfTexel = static_cast<std::size_t>(
-    vtkDataArray::GetDataTypeSize(this->ScalarType) * this->CountChannels());
   std::size_t bytes = 0;
   for (const Box& box : boxes)
   {
     changes.Begins.push_back(bytes);
-    std::size_t ofBox = bytesOfTexel;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      ofBox *= static_cast<std::size_t>(box.End[axis] - box.Begin[axis]);
-    }
-    bytes += ofBox;
+    bytes += this->CountBytes(
+      {box.End[0] - box.Begin[0], box.End[1] - box.Begin[1], box.End[2] - box.Begin[2]});
   }
   changes.Boxes = std::move(boxes);
   changes.Bytes.reset(new unsigned char[bytes]);

@@ -32,12 +32,16 @@ struct VTKNEXRADRENDERING_EXPORT vtkTextureSliceBricks
 
   /// Goes once over all scalars, on several threads.
   void Build(const vtkTextureSliceScalars& source);
+  /// The scalars of a brick whose texels are all equal; none where no texel counts.
+  std::optional<std::vector<double>> FindScalars(const std::array<int, 3>& brick) const;
 
   std::array<int, 3> Count{};   ///< along each axis
   std::array<double, 3> Edge{}; ///< in box coordinates (0 to 1 along each axis)
+  int Intervals = 1;            ///< between voxels along an edge
   /// One for each component of each brick; the component varies fastest, then x.
   std::vector<Range> Ranges;
-  bool HasInvisible = false; ///< texels that do not count
+  std::vector<unsigned char> Hides; ///< of each brick, 1 where it has texels that do not count
+  bool HasInvisible = false;        ///< texels that do not count
   vtkMTimeType BuildTime = 0;
 };
 
@@ -105,6 +109,9 @@ struct vtkTextureSliceTexels
   {
     return static_cast<int>(this->Components.size()) + (this->Masked ? 1 : 0);
   }
+
+  /// Bytes of so many texels along each axis.
+  std::size_t CountBytes(const std::array<int, 3>& size) const;
 
   /// Whether the same scalars become the same texels.
   bool IsLike(const vtkTextureSliceTexels& other) const;

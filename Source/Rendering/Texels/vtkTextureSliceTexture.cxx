@@ -80,7 +80,10 @@ vtkSmartPointer<vtkTextureSliceChecksums> vtkTextureSliceChecksums::Prepare(
   // The array makes its information when it is first asked, and counts as changed by that.
   vtkInformation* information = source.Scalars->GetInformation();
   const auto checksum = Make(source);
-  if (before != nullptr)
+  // Pages are chosen when it is known what OpenGL takes.
+  const bool mayBePaged =
+    checksum->Texels.CountBytes(source.Size) > vtkTextureSlicePages::UsualMemory;
+  if (before != nullptr && !mayBePaged)
   {
     checksum->Prepared = checksum->TakeChanges(source, before);
     checksum->PreparedOver = before->Made;
@@ -114,16 +117,46 @@ vtkTextureSliceChanges vtkTextureSliceChecksums::TakeChanges(
     source, this->Blocks.FindChanges(comparable ? &before->Blocks : nullptr));
 }
 
-std::string vtkTextureSliceTexture::Update(
-  vtkOpenGLRenderWindow* window, const vtkTextureSliceScalars& source, bool nearest)
+std::size_t vtkTextureSliceTexture::CountBytes() const
+{
+  return this->Texels.CountBytes({this->Allocated[0], this->Allocated[1], this->Allocated[2]});
+}
+
+bool vtkTextureSliceTexture::TryPages(vtkOpenGLRenderWindow* window,
+  const vtkTextureSliceScalars& source, const vtkTextureSliceBricks& bricks, std::string& error)
+{
+  const int limit = vtkTextureObject::GetMaximumTextureSize3D(window);
+  const bool beyond = *std::max_element(source.Size.begin(), source.Size.end()) > limit;
+  const std::size_t bytes = this->Texels.CountBytes(source.Size);
+  // The bricks of a rectilinear grid are parts of its box, not of its points.
+  if (this->MostBytes == 0 || !source.Places.front().empty() ||
+      (!beyond && bytes <= this->MostBytes))
+  {
+    return false;
+  }
+  const bool fits = this->Pages.Build(source.Size, bricks, limit);
+  if (beyond && !fits)
+  {
+    error = "what differs among " + ToText(source.Size) +
+            " voxels does not fit into a texture of this OpenGL: fewer voxels need less (nexrad3d "
+            "grid --dims)";
+  }
+  constexpr double most = 0.75; // pages take longer to look up
+  const auto ofPages = static_cast<double>(this->Texels.CountBytes(this->Pages.GetAtlasSize()));
+  return fits && (beyond || ofPages < most * static_cast<double>(bytes));
+}
+
+std::string vtkTextureSliceTexture::Update(vtkOpenGLRenderWindow* window,
+  const vtkTextureSliceScalars& source, bool nearest, std::size_t mostBytes)
 {
   vtkTextureSliceSetSampling(this->Texture, nearest);
   const vtkTextureSliceChecksums::Key key = vtkTextureSliceChecksums::MakeKey(source);
   const bool there = this->Texture->GetHandle() != 0 && this->Texture->GetContext() == window;
-  if (there && this->Checksum != nullptr && key == this->Last)
+  if (there && this->Checksum != nullptr && key == this->Last && mostBytes == this->MostBytes)
   {
     return "";
   }
+  this->MostBytes = mostBytes;
   // Nothing is known of the texture, should an error leave it half made.
   const auto before = std::exchange(this->Checksum, nullptr);
   std::string error = FindUnsupported(source);
@@ -138,14 +171,21 @@ std::string vtkTextureSliceTexture::Update(
     return "four components with hidden points, or with scalars that are not finite, are not "
            "supported: leave out a component or the ghost array";
   }
-  const auto allocated = this->Allocated;
-  error = this->Allocate(window, source.Size);
+  const bool wasPaged = std::exchange(this->Paged, false);
+  this->Paged = this->TryPages(window, source, checksum->Bricks, error);
   if (!error.empty())
   {
     return error;
   }
-  const bool kept = there && allocated == this->Allocated;
-  this->Upload(window, checksum->TakeChanges(source, kept ? before : nullptr));
+  const auto allocated = this->Allocated;
+  error = this->Allocate(window, this->Paged ? this->Pages.GetAtlasSize() : source.Size);
+  if (!error.empty())
+  {
+    return error;
+  }
+  const bool kept = there && !wasPaged && allocated == this->Allocated;
+  this->Upload(window, this->Paged ? this->Texels.Encode(source, this->Pages.GetBoxes())
+                                   : checksum->TakeChanges(source, kept ? before : nullptr));
   this->Checksum = checksum;
   this->Last = key;
   return "";
@@ -154,6 +194,10 @@ std::string vtkTextureSliceTexture::Update(
 void vtkTextureSliceTexture::Upload(
   vtkOpenGLRenderWindow* window, const vtkTextureSliceChanges& changes)
 {
+  if (this->Paged)
+  {
+    this->Pages.Upload(window);
+  }
   const int scalarType = this->Texels.ScalarType;
   const unsigned int format =
     this->Texture->GetDefaultFormat(scalarType, this->Texels.CountChannels(), false);
@@ -163,7 +207,8 @@ void vtkTextureSliceTexture::Upload(
   for (std::size_t i = 0; i < changes.Boxes.size(); ++i)
   {
     const auto& [begin, end] = changes.Boxes[i];
-    glTexSubImage3D(GL_TEXTURE_3D, 0, begin[0], begin[1], begin[2], end[0] - begin[0],
+    const std::array<int, 3>& place = this->Paged ? this->Pages.GetPlaces()[i] : begin;
+    glTexSubImage3D(GL_TEXTURE_3D, 0, place[0], place[1], place[2], end[0] - begin[0],
       end[1] - begin[1], end[2] - begin[2], format, type, changes.Bytes.get() + changes.Begins[i]);
   }
   this->Texture->Deactivate();

@@ -7,6 +7,7 @@
 #include "vtkObject.h"
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
+#include "vtkTextureSlicePages.h"
 #include "vtkTextureSliceScalars.h"
 #include "vtkTextureSliceTexels.h"
 
@@ -68,16 +69,23 @@ private:
 /// One to four components of scalars, one texel for each point (or cell), as vtkTextureSliceTexels
 /// encodes them. Of scalars that take the place of others of the same size and type, only the
 /// blocks that differ are uploaded. Four components cannot be masked, because texels have four at
-/// most.
+/// most. A volume that is larger than a texture, or than the memory that is given to it and equal
+/// in large parts, is stored in pages.
 class vtkTextureSliceTexture
 {
 public:
   /// Uploads the scalars if they, the ghost array, the dimensions or the window changed.
+  /// @param mostBytes of texture memory, above which pages are used where they take less; 0: the
+  /// volume is never stored in pages
   /// @return why the volume does not fit, in one line; or nothing
-  std::string Update(
-    vtkOpenGLRenderWindow* window, const vtkTextureSliceScalars& source, bool nearest);
+  std::string Update(vtkOpenGLRenderWindow* window, const vtkTextureSliceScalars& source,
+    bool nearest, std::size_t mostBytes = 0);
 
   vtkTextureObject* GetTexture() const { return this->Texture; }
+  bool IsPaged() const { return this->Paged; }
+  const vtkTextureSlicePages& GetPages() const { return this->Pages; }
+  /// Bytes of the texture; 0 before an Update.
+  std::size_t CountBytes() const;
   /// The scalars' ranges in small parts of the volume; after an Update without error.
   const vtkTextureSliceBricks& GetBricks() const { return this->Checksum->Bricks; }
   bool IsMasked() const { return this->Texels.Masked; }
@@ -88,10 +96,17 @@ public:
   }
 
 private:
+  /// Whether the volume is stored in pages, which are built then; with `error` in one line where it
+  /// does not fit either way.
+  bool TryPages(vtkOpenGLRenderWindow* window, const vtkTextureSliceScalars& source,
+    const vtkTextureSliceBricks& bricks, std::string& error);
   std::string Allocate(vtkOpenGLRenderWindow* window, const std::array<int, 3>& size);
   void Upload(vtkOpenGLRenderWindow* window, const vtkTextureSliceChanges& changes);
 
   vtkNew<vtkTextureObject> Texture;
+  bool Paged = false;
+  vtkTextureSlicePages Pages;
+  std::size_t MostBytes = 0;
   vtkTextureSliceTexels Texels;
   /// Of what is in the texture; nullptr: not known.
   vtkSmartPointer<vtkTextureSliceChecksums> Checksum;
