@@ -21,12 +21,10 @@
 #include <vtkCamera.h>
 #include <vtkImageData.h>
 #include <vtkMath.h>
-#include <vtkOpenGLRenderWindow.h>
 #include <vtkPlaneCollection.h>
 #include <vtkPropCollection.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkTextureObject.h>
 #include <vtkVolume.h>
 #include <vtkVolumeMapper.h>
 #include <vtkVolumeProperty.h>
@@ -326,7 +324,6 @@ SceneFrame RadarScene::FollowEcho(vtkImageData* newData, const VolumeInformation
 // The ground is drawn before the volume.
 void RadarScene::BeginFrame()
 {
-  this->FitTexture();
   this->ShadeGround();
   detail.Follow(volume);
 }
@@ -502,36 +499,6 @@ void RadarScene::ShowVolume(Prepared prepared)
   }
   this->DrawCaptions();
   this->Aim();
-}
-
-// How many voxels a texture may have is known once the renderer has a context.
-void RadarScene::FitTexture()
-{
-  const vtkSmartPointer<vtkImageData> whole = this->Drawn();
-  const int most = vtkTextureObject::GetMaximumTextureSize3D(
-    vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
-  if (whole == nullptr || most < 1)
-  {
-    return;
-  }
-  const ThinnedVolume drawn = ThinOut(whole, most);
-  if (drawn.left.empty())
-  {
-    return;
-  }
-  volume->GetMapper()->SetInputDataObject(drawn.volume);
-  this->PlaceDetail();
-  this->UpdateSlices();
-  note += "; drawn: " + drawn.left;
-  this->DrawCaptions();
-  if (drawn.left != thinned)
-  {
-    thinned = drawn.left;
-    vtkWarningWithObjectMacro(renderer,
-      << "OpenGL takes at most " << most << " voxels along an axis, and the volume has "
-      << SizeText(whole) << ": " << drawn.left
-      << " is drawn; fewer voxels (--dims), or those of a part (--bounds), are all drawn");
-  }
 }
 
 void RadarScene::DrawVolume(vtkImageData* placed, bool sameMapper)

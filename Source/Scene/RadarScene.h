@@ -120,7 +120,6 @@ private:
   double PixelsOf(double length) const;
   void DrawVolume(vtkImageData* placed, bool sameMapper);
   void DrawPlan(const PlanView& shown, vtkImageData* placed);
-  void FitTexture();
   void PlaceDetail();
   void DrawMark();
   std::vector<vtkVolumeMapper*> Mappers() const;
@@ -156,7 +155,6 @@ private:
   ColourScale scale;
   std::string note;                        ///< what the heights are, or which voxels a map shows
   std::vector<std::optional<double>> ages; ///< min, of the radars' data
-  std::string thinned;                     ///< what was said of voxels that OpenGL does not take
   std::string nothing;                     ///< what is said where nothing is to be seen
   TextPictures pictures;
   SceneLayer plan;

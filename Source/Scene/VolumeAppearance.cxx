@@ -10,7 +10,6 @@
 #include "vtkNexradTransferFunction.h"
 #include "vtkOpenGLTextureSliceVolumeMapper.h"
 
-#include <vtkExtractVOI.h>
 #include <vtkImageData.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
@@ -171,32 +170,6 @@ int SlicesFor(vtkImageData* placed)
     shortest = std::min(shortest, edge / along);
   }
   return static_cast<int>(std::clamp(std::round(depth / (voxelsForEach * shortest)), fewest, most));
-}
-
-ThinnedVolume ThinOut(vtkImageData* volume, int most)
-{
-  vtkNew<vtkExtractVOI> every;
-  std::array<int, 3> steps{};
-  ThinnedVolume thinned{volume, ""};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    steps[axis] = (volume->GetDimensions()[axis] + most - 1) / most;
-    if (steps[axis] > 1)
-    {
-      const std::string end = steps[axis] == 2 ? "nd" : steps[axis] == 3 ? "rd" : "th";
-      thinned.left += (thinned.left.empty() ? "every " : ", every ") + std::to_string(steps[axis]) +
-                      end + " voxel along " + "xyz"[axis];
-    }
-  }
-  if (!thinned.left.empty())
-  {
-    every->SetInputData(volume);
-    every->SetVOI(volume->GetExtent());
-    every->SetSampleRate(steps.data());
-    every->Update();
-    thinned.volume = every->GetOutput();
-  }
-  return thinned;
 }
 
 void SetSlices(vtkVolumeMapper* mapper, int slices, double diagonal)

@@ -37,15 +37,6 @@ vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(MapperChoice choice, bool preI
 /// volume as it stands in the scene: 128 to 1024.
 int SlicesFor(vtkImageData* placed);
 
-/// What OpenGL takes of a volume whose texture may have at most so many voxels along an axis: the
-/// volume, or every second, third, … voxel of it.
-struct ThinnedVolume
-{
-  vtkSmartPointer<vtkImageData> volume;
-  std::string left; ///< which voxels these are: "every 2nd voxel along x"; empty: all
-};
-ThinnedVolume ThinOut(vtkImageData* volume, int most);
-
 /// Sets the number of slices, or of samples along the longest ray through the volume, whose length
 /// is `diagonal` in scene units.
 void SetSlices(vtkVolumeMapper* mapper, int slices, double diagonal);

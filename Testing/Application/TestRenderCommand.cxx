@@ -478,8 +478,8 @@ fs::path WriteWideVolume(const fs::path& folder)
 
 } // namespace
 
-// An empty sky would look like no echo.
-TEST(RenderCommand, OfAWideVolumeSomeVoxelsAreDrawnAndALineSaysSo)
+// Slices draw it; VTK's ray caster cannot. An empty sky would look like no echo.
+TEST(RenderCommand, AWideVolumeIsDrawnOrALineSaysWhyNot)
 {
   const TemporaryFolder folder;
   const fs::path volume = WriteWideVolume(folder.Path());
@@ -490,11 +490,11 @@ TEST(RenderCommand, OfAWideVolumeSomeVoxelsAreDrawnAndALineSaysSo)
   {
     mode.front() = folder.Path() / mode.front();
     mode.insert(mode.begin(), {"render", volume, "--size", small, "-o"});
+    const bool casts = mode.back() == "ray-cast";
     const ProgramRun run = RunNexrad3d(mode);
-    EXPECT_EQ(run.status, 0) << run.errors;
-    EXPECT_NE(run.errors.find("the volume has 40000x3x3: every "), std::string::npos) << run.errors;
-    EXPECT_NE(run.errors.find("--dims"), std::string::npos) << run.errors;
-    EXPECT_EQ(run.errors.find('\n'), run.errors.size() - 1) << "one line: " << run.errors;
+    EXPECT_EQ(run.status, casts ? 1 : 0) << run.errors;
+    EXPECT_EQ(run.errors.empty(), !casts) << run.errors;
+    EXPECT_TRUE(!casts || run.errors.find('\n') == run.errors.size() - 1) << run.errors;
   }
 }
 

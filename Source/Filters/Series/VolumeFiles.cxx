@@ -93,12 +93,21 @@ constexpr std::size_t pictureBytesPerVoxel = 4;
 
 // What a picture takes of a graphics card unless it cannot be drawn with less.
 constexpr std::size_t textureMemory = std::size_t(256) << 20;
-constexpr int mostAlongAxis = 2048; // voxels of a texture: OpenGL 4.1 has as many or more
 
-bool FitsInTexture(const VoxelBlock& block, std::size_t bytesPerVoxel)
+bool FitsAsWhole(const NxvReadOptions& options, std::size_t bytesPerVoxel)
 {
+  constexpr int mostAlongAxis = 2048; // more than a picture has pixels
+  const VoxelBlock& block = *options.block;
   const int most = std::max({block.Size(0), block.Size(1), block.Size(2)});
   return most <= mostAlongAxis && block.VoxelCount() * bytesPerVoxel <= textureMemory;
+}
+
+// Of parts that are all alike the graphics card stores one.
+bool FitsInPages(const fs::path& path, const NxvReadOptions& options, std::size_t bytesPerVoxel)
+{
+  constexpr std::size_t memory = std::size_t(512) << 20; // of the computer
+  return options.block->VoxelCount() * bytesPerVoxel <= memory &&
+         CountVoxelsThatDiffer(path, options) * bytesPerVoxel <= textureMemory;
 }
 
 // A volume file, and the index that names it; without one, an empty path.
@@ -307,10 +316,13 @@ private:
     bool codes = false;
   };
 
-  // Of the finest level of which the block that `blockOf` names fits in the texture memory, that
-  // block; without one, of the coarsest. Nothing is asked of the first `from` levels.
+  // Whether voxels of so many bytes fit into the texture memory.
+  using Fits = std::function<bool(const NxvReadOptions& options, std::size_t bytesPerVoxel)>;
+
+  // Of the finest level of which the block that `blockOf` names fits, that block; without one, of
+  // the coarsest. Nothing is asked of the first `from` levels.
   Part FindPart(const fs::path& path, const Levels& levels, std::size_t from,
-    const std::function<VoxelBlock(const GridSpecification&)>& blockOf) const
+    const std::function<VoxelBlock(const GridSpecification&)>& blockOf, const Fits& fits) const
   {
     Part part;
     part.codes = codes;
@@ -320,18 +332,18 @@ private:
     const std::size_t bytes =
       part.codes && HasNxvCodes(path, options) ? 1 : sizeof(float) * options.moments.size();
     options.level = from;
-    while (options.level + 1 < levels.size() && !request.allVoxels &&
-           !FitsInTexture(blockOf(levels[options.level]), bytes))
+    options.block = blockOf(levels[from]);
+    while (options.level + 1 < levels.size() && !request.allVoxels && !fits(options, bytes))
     {
       ++options.level;
+      options.block = blockOf(levels[options.level]);
     }
-    options.block = blockOf(levels[options.level]);
     return part;
   }
 
   Part FindWhole(const fs::path& path, const Levels& levels) const
   {
-    return this->FindPart(path, levels, 0, VoxelBlock::Of);
+    return this->FindPart(path, levels, 0, VoxelBlock::Of, FitsAsWhole);
   }
 
   Part FindBox(const fs::path& path, const Levels& levels, const BoxRequest& box) const
@@ -341,8 +353,11 @@ private:
     {
       ++from;
     }
-    return this->FindPart(path, levels, from,
-      [&box](const GridSpecification& level) { return VoxelsOfBox(level, box); });
+    return this->FindPart(
+      path, levels, from,
+      [&box](const GridSpecification& level) { return VoxelsOfBox(level, box); },
+      [&path](const NxvReadOptions& options, std::size_t bytes)
+      { return FitsInPages(path, options, bytes); });
   }
 
   static vtkSmartPointer<vtkImageData> ReadPart(const fs::path& path, const Part& part)
