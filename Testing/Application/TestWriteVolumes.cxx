@@ -301,7 +301,7 @@ TEST(OpeningVolumes, AVolumeTooLargeToDrawIsRefused)
   std::ofstream(path, std::ios::binary) << start << text << run;
   const auto series = OpenVolumeFiles({path});
   const std::string problem = MessageOf([&] { series->Load(0, {}); });
-  EXPECT_NE(problem.find("681472000 voxels of 16 bytes"), std::string::npos) << problem;
+  EXPECT_NE(problem.find("681472000 voxels of 11 bytes"), std::string::npos) << problem;
 }
 
 // Large volumes are made band after band and stored in bricks: they hold what the others hold.

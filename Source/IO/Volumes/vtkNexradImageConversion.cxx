@@ -554,11 +554,12 @@ void vtkNexradReadVolumeFile(
 {
   constexpr std::size_t ofImage = 6; // bytes of a voxel: value, state, ghost type
   nexrad::NxvReadOptions reading = options;
-  reading.bytesBesides += ofImage;
+  reading.bytesBesides += codes ? 0 : ofImage;
   reading.loop = vtkNexradRangeLoop();
   std::optional<nexrad::CodedVolume> coded = nexrad::ReadNxvCodes(path, reading, !codes);
   if (!coded)
   {
+    reading.bytesBesides = options.bytesBesides + ofImage;
     vtkNexradVolumeToImage(nexrad::ReadNxv(path, reading), image);
   }
   else if (codes)
