@@ -300,6 +300,7 @@ private:
 enum class Special
 {
   None,
+  Paged,    ///< in pages, whatever they take
   Dragged,  ///< a point of opacity moves before each picture
   Jittered, ///< samples as far apart as the mappers choose
   Table2D   ///< two-dimensional functions
@@ -312,7 +313,8 @@ struct Mode
   Special Particular = Special::None;
 };
 
-constexpr std::array<Mode, 9> Modes = {{{"composite", vtkVolumeMapper::COMPOSITE_BLEND},
+constexpr std::array<Mode, 10> Modes = {{{"composite", vtkVolumeMapper::COMPOSITE_BLEND},
+  {"in pages", vtkVolumeMapper::COMPOSITE_BLEND, Special::Paged},
   {"a point dragged", vtkVolumeMapper::COMPOSITE_BLEND, Special::Dragged},
   {"jittered, 0 slices", vtkVolumeMapper::COMPOSITE_BLEND, Special::Jittered},
   {"two-dimensional functions", vtkVolumeMapper::COMPOSITE_BLEND, Special::Table2D},
@@ -362,11 +364,18 @@ void MeasureMode(const Mode& mode, vtkImageData* storm)
     if (auto* slices = vtkOpenGLTextureSliceVolumeMapper::SafeDownCast(mapper))
     {
       slices->SetNumberOfSlices(jittered ? 0 : Slices);
+      slices->SetMaxMemoryInBytes(mode.Particular == Special::Paged ? 1 : 0);
     }
     mapper->SetBlendMode(mode.BlendMode);
     mapper->SetAverageIPScalarRange(30.0, 90.0);
   }
   contest.Run(mode.Name, mode.Particular == Special::Dragged);
+  if (auto* slices =
+        vtkOpenGLTextureSliceVolumeMapper::SafeDownCast(contest.GetContenders().front().Mapper))
+  {
+    std::fprintf(stderr, "%s: %.1f MiB of texture\n", mode.Name,
+      static_cast<double>(slices->GetTextureBytes()) / (1 << 20));
+  }
 }
 
 void PrintHeading(const char* title, const char* drawn)
