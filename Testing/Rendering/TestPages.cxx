@@ -201,6 +201,14 @@ TEST_F(Pages, AreSharedWhereScalarsAreEqual)
   this->ExpectSame();
 }
 
+TEST_F(Pages, AreNotSharedWhereSomePointsAreHidden)
+{
+  vtkDataArray* scalars = this->Input->GetPointData()->GetScalars();
+  scalars->FillComponent(0, 40.0);
+  scalars->Modified();
+  this->ExpectSame();
+}
+
 TEST_F(Pages, AreNotUsedWhereAllScalarsDiffer)
 {
   this->Input->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
