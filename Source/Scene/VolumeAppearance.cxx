@@ -100,12 +100,6 @@ constexpr double innermostOpacity = 0.95;
 
 } // namespace
 
-std::string SizeText(vtkImageData* volume)
-{
-  const int* size = volume->GetDimensions();
-  return DimensionsText({size[0], size[1], size[2]});
-}
-
 void RequireVoxels(vtkImageData* data, const SceneOptions& options)
 {
   if (data == nullptr || data->GetNumberOfPoints() == 0 ||
@@ -116,7 +110,7 @@ void RequireVoxels(vtkImageData* data, const SceneOptions& options)
   const int* size = data->GetDimensions();
   if (!options.plan && std::min({size[0], size[1], size[2]}) < 2)
   {
-    throw Error("the volume of " + SizeText(data) +
+    throw Error("the volume of " + DimensionsText({size[0], size[1], size[2]}) +
                 " voxels is one layer without thickness; merge it with two layers or more "
                 "(--dims), or draw it as a map (--map)");
   }

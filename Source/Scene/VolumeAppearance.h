@@ -20,9 +20,6 @@ class vtkVolumeProperty;
 namespace nexrad::scene
 {
 
-/// Voxels of a volume, as "128x128x64".
-std::string SizeText(vtkImageData* volume);
-
 /// Throws Error for a volume without voxels, and, unless it is drawn as a map, for one of a single
 /// layer: that has no thickness, and VTK draws nothing of it.
 void RequireVoxels(vtkImageData* data, const SceneOptions& options);
