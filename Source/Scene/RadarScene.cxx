@@ -21,10 +21,12 @@
 #include <vtkCamera.h>
 #include <vtkImageData.h>
 #include <vtkMath.h>
+#include <vtkOpenGLRenderWindow.h>
 #include <vtkPlaneCollection.h>
 #include <vtkPropCollection.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkTextureObject.h>
 #include <vtkVolume.h>
 #include <vtkVolumeMapper.h>
 #include <vtkVolumeProperty.h>
@@ -324,6 +326,7 @@ SceneFrame RadarScene::FollowEcho(vtkImageData* newData, const VolumeInformation
 // The ground is drawn before the volume.
 void RadarScene::BeginFrame()
 {
+  this->CheckSize();
   this->ShadeGround();
   detail.Follow(volume);
 }
@@ -499,6 +502,27 @@ void RadarScene::ShowVolume(Prepared prepared)
   }
   this->DrawCaptions();
   this->Aim();
+}
+
+// VTK's ray caster does not say what would help. How many voxels it takes is known once the
+// renderer has a context.
+void RadarScene::CheckSize() const
+{
+  vtkImageData* whole = this->Drawn();
+  if (whole == nullptr || options.mapper != MapperChoice::RayCast)
+  {
+    return;
+  }
+  const int* voxels = whole->GetDimensions();
+  const int most = vtkTextureObject::GetMaximumTextureSize3D(
+    vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
+  if (most > 0 && *std::max_element(voxels, voxels + 3) > most)
+  {
+    vtkErrorWithObjectMacro(renderer,
+      << "VTK's ray caster takes at most " << most << " voxels along an axis, and the volume has "
+      << DimensionsText({voxels[0], voxels[1], voxels[2]})
+      << ": draw it by --mapper texture-slice, or merge fewer voxels (--dims)");
+  }
 }
 
 void RadarScene::DrawVolume(vtkImageData* placed, bool sameMapper)

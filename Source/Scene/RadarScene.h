@@ -120,6 +120,7 @@ private:
   double PixelsOf(double length) const;
   void DrawVolume(vtkImageData* placed, bool sameMapper);
   void DrawPlan(const PlanView& shown, vtkImageData* placed);
+  void CheckSize() const;
   void PlaceDetail();
   void DrawMark();
   std::vector<vtkVolumeMapper*> Mappers() const;

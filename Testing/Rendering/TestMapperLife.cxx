@@ -7,7 +7,6 @@
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -17,7 +16,6 @@
 #include "vtkRectilinearGrid.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkVolumeProperty.h"
 
 #if __has_include("vtk_glad.h")
@@ -27,7 +25,6 @@
 #endif
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <memory>
@@ -256,25 +253,7 @@ TEST_F(MapperLife, GridBeyondTheLargestTextureNamesBoth)
   auto scene = this->MakeScene();
   const auto draw = [&](int points)
   {
-    vtkNew<vtkRectilinearGrid> rod;
-    rod->SetDimensions(points, 2, 2);
-    std::array<vtkNew<vtkDoubleArray>, 3> coordinates;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const int last = (axis == 0 ? points : 2) - 1;
-      for (int i = 0; i <= last; ++i)
-      {
-        coordinates[axis]->InsertNextValue(CubeSide * i / last);
-      }
-    }
-    rod->SetXCoordinates(coordinates[0]);
-    rod->SetYCoordinates(coordinates[1]);
-    rod->SetZCoordinates(coordinates[2]);
-    vtkNew<vtkUnsignedCharArray> scalars;
-    scalars->SetNumberOfTuples(rod->GetNumberOfPoints());
-    scalars->Fill(1.0);
-    rod->GetPointData()->SetScalars(scalars);
-    mapper->SetInputData(rod);
+    mapper->SetInputData(MakeRod(points, CubeSide));
     return this->Middle(*scene, mapper);
   };
   EXPECT_EQ(draw(40000), 0.0);

@@ -2,6 +2,7 @@
 // IsRenderSupported tells the truth: what it promises is drawn without a message, what it denies is
 // refused with one error and leaves the picture alone.
 #include "RenderingTest.h"
+#include "Scenes.h"
 #include "Tolerance.h"
 
 #include "vtkCamera.h"
@@ -16,6 +17,7 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
@@ -285,7 +287,7 @@ TEST_F(RenderSupport, RefusesAVolumeOfVolumesOnce)
   this->Stage->GetRenderer()->RemoveVolume(both);
 }
 
-// An image of one layer, and one larger than any texture.
+// An image of one layer; an image and a grid larger than any texture.
 TEST_F(RenderSupport, KnowsTheDimensions)
 {
   for (const auto& [x, z] : {std::pair(9, 1), std::pair(40000, 2)})
@@ -303,6 +305,12 @@ TEST_F(RenderSupport, KnowsTheDimensions)
     EXPECT_EQ(mapper->IsRenderSupported(this->Stage->GetWindow(), property) != 0, promised);
     this->ExpectPicture(promised, mapper, std::to_string(x) + " x 2 x " + std::to_string(z));
   }
+  vtkNew<vtkOpenGLTextureSliceVolumeMapper> mapper;
+  mapper->SetInputData(MakeRod(40000, 3.0));
+  const auto property = MakeProperty({});
+  this->Stage->GetVolume()->SetProperty(property);
+  EXPECT_FALSE(mapper->IsRenderSupported(this->Stage->GetWindow(), property));
+  this->ExpectPicture(false, mapper, "a grid of 40000 x 2 x 2");
 }
 
 // A program may ask before the pipeline has run; dimensions and components are not known yet.

@@ -12,6 +12,7 @@
 #include "vtkNew.h"
 #include "vtkOpenGLTextureSliceVolumeMapper.h"
 #include "vtkPointData.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
@@ -290,11 +291,8 @@ TEST_F(TimeSteps, UploadedBeforeTheFirstFrame)
   EXPECT_TRUE(this->Mapper->PreLoadData(this->Stage->GetRenderer(), this->Stage->GetVolume()));
   this->ExpectStep(image, "uploaded");
 
-  vtkNew<vtkImageData> wrong;
-  wrong->SetDimensions(9, 9, 1);
-  wrong->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-  this->Mapper->SetInputData(wrong);
+  this->Mapper->SetInputData(MakeRod(40000, 8.0));
   EXPECT_FALSE(this->Mapper->PreLoadData(this->Stage->GetRenderer(), this->Stage->GetVolume()));
-  EXPECT_NE(this->TakeMessages().find("no thickness"), std::string::npos);
-  this->ExpectStep(MakeStep(20), "after a volume that was refused");
+  EXPECT_NE(this->TakeMessages().find("at most"), std::string::npos);
+  this->ExpectStep(MakeStep(20), "after a volume that did not fit");
 }

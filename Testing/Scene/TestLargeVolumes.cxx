@@ -95,6 +95,8 @@ TEST_F(LargeVolumes, ABoxHasTheFinestVoxelsThatAreAskedFor)
   EXPECT_EQ(SizeOf(this->LoadBox(box))[0], 43) << "the coarsest";
   box.spacing = 1.0;
   box.faces = {-300'000.0, 300'000.0, 0.0, 300'000.0};
+  EXPECT_EQ(SizeOf(this->LoadBox(box)), (std::array<int, 3>{1050, 16, 16})) << "fits no finer";
+  series->AllowCodes(true);
   EXPECT_EQ(SizeOf(this->LoadBox(box)), (std::array<int, 3>{2100, 32, 16})) << "in pages";
 }
 

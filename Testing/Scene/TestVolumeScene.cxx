@@ -103,8 +103,9 @@ TEST(VolumeScene, AVolumeThatIsWiderThanATextureIsDrawn)
     return picture;
   };
   const Picture fine = draw(2000);
-  EXPECT_AT_MOST(MeanDifference(fine, draw(40'000)), 0.9,
-    "wide volume: difference to one that OpenGL takes, of 255");
+  EXPECT_AT_MOST(MeanDifference(fine, draw(40'000)), 0.01,
+    "wide volume: difference to one that OpenGL takes, of 255",
+    "a few pixels round to the next code, by the renderer");
   EXPECT_AT_LEAST(MeanDifference(fine, Draw(vtkNew<vtkNexradVolumeScene>())), 10.0,
     "storm: difference to an empty picture, of 255");
 }

@@ -102,12 +102,12 @@ bool FitsAsWhole(const NxvReadOptions& options, std::size_t bytesPerVoxel)
   return most <= mostAlongAxis && block.VoxelCount() * bytesPerVoxel <= textureMemory;
 }
 
-// Of parts that are all alike the graphics card stores one.
-bool FitsInPages(const fs::path& path, const NxvReadOptions& options, std::size_t bytesPerVoxel)
+// Of parts that are all alike the slices store one. They draw codes; VTK's ray caster draws values.
+bool FitsInPages(const fs::path& path, const NxvReadOptions& options)
 {
   constexpr std::size_t memory = std::size_t(512) << 20; // of the computer
-  return options.block->VoxelCount() * bytesPerVoxel <= memory &&
-         CountVoxelsThatDiffer(path, options) * bytesPerVoxel <= textureMemory;
+  return options.block->VoxelCount() <= memory &&
+         CountVoxelsThatDiffer(path, options) <= textureMemory;
 }
 
 // A volume file, and the index that names it; without one, an empty path.
@@ -357,7 +357,7 @@ private:
       path, levels, from,
       [&box](const GridSpecification& level) { return VoxelsOfBox(level, box); },
       [&path](const NxvReadOptions& options, std::size_t bytes)
-      { return FitsInPages(path, options, bytes); });
+      { return bytes == 1 ? FitsInPages(path, options) : FitsAsWhole(options, bytes); });
   }
 
   static vtkSmartPointer<vtkImageData> ReadPart(const fs::path& path, const Part& part)

@@ -29,10 +29,10 @@ struct VolumeFileRequest
 
 /// Reads merged volumes from files, from an index of a series, or from folders of them. Of a file
 /// that has its volume in voxels of several sizes, Load and LoadBox read the smallest ones that fit
-/// in 256 MiB of texture memory; Load with at most 2048 voxels along each axis, LoadBox with 512
-/// MiB of voxels, of which those count that differ from the others of their bricks. Throws Error
-/// when an input does not exist or is none; Load, for a moment that a file does not have; LoadBox,
-/// for a box that moves or lies beside the volume, and for a file whose finest voxels Load reads.
+/// in 256 MiB of texture memory, with at most 2048 voxels along each axis. Of codes LoadBox reads
+/// up to 512 MiB, and counts only bricks whose voxels differ. Throws Error when an input does not
+/// exist or is none; Load, for a moment that a file does not have; LoadBox, for a box that moves or
+/// lies beside the volume, and for a file whose finest voxels Load reads.
 std::unique_ptr<VolumeSeries> OpenVolumeFiles(const std::vector<std::filesystem::path>& inputs,
   const VolumeFileRequest& request = {{}, {}, true});
 

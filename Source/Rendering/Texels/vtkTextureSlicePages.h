@@ -52,7 +52,7 @@ private:
   using Entry = std::array<unsigned char, 4>;
 
   void Divide(const std::array<int, 3>& size, int intervalsOfBrick);
-  /// The scalars of a page whose texels are all equal; none where all are hidden.
+  /// As vtkTextureSliceBricks::FindScalars, of a page.
   std::optional<std::vector<double>> FindScalars(
     const std::array<int, 3>& page, const vtkTextureSliceBricks& bricks) const;
   Entry AddPage(const std::array<int, 3>& page, const std::array<int, 3>& slot);

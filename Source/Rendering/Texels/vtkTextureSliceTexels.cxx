@@ -197,7 +197,6 @@ void vtkTextureSliceBricks::Build(const vtkTextureSliceScalars& source)
   {
     vtkTemplateMacro(scan(VTK_TT()));
   }
-  this->HasInvisible = std::find(this->Hides.begin(), this->Hides.end(), 1) != this->Hides.end();
   for (Range& range : this->Ranges)
   {
     if (source.Codes && range.Low <= range.High)
@@ -460,7 +459,7 @@ vtkTextureSliceTexels::vtkTextureSliceTexels(
   const vtkTextureSliceScalars& source, const vtkTextureSliceBricks& bricks)
   : SourceType(source.Scalars->GetDataType())
   , Size(source.Size)
-  , Masked(bricks.HasInvisible)
+  , Masked(std::find(bricks.Hides.begin(), bricks.Hides.end(), 1) != bricks.Hides.end())
   , Codes(source.Codes)
   , Components(static_cast<std::size_t>(source.Scalars->GetNumberOfComponents()))
 {

@@ -32,7 +32,8 @@ struct VTKNEXRADRENDERING_EXPORT vtkTextureSliceBricks
 
   /// Goes once over all scalars, on several threads.
   void Build(const vtkTextureSliceScalars& source);
-  /// The scalars of a brick whose texels are all equal; none where no texel counts.
+  /// The scalars of a brick whose texels are all equal: an empty vector where none of them counts,
+  /// nothing where they differ.
   std::optional<std::vector<double>> FindScalars(const std::array<int, 3>& brick) const;
 
   std::array<int, 3> Count{};   ///< along each axis
@@ -41,7 +42,6 @@ struct VTKNEXRADRENDERING_EXPORT vtkTextureSliceBricks
   /// One for each component of each brick; the component varies fastest, then x.
   std::vector<Range> Ranges;
   std::vector<unsigned char> Hides; ///< of each brick, 1 where it has texels that do not count
-  bool HasInvisible = false;        ///< texels that do not count
   vtkMTimeType BuildTime = 0;
 };
 

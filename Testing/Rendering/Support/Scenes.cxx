@@ -3,13 +3,17 @@
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace nexrad::testing
@@ -96,6 +100,29 @@ vtkSmartPointer<vtkImageData> MakeUniformCube(int points, float value)
   image->AllocateScalars(VTK_FLOAT, 1);
   image->GetPointData()->GetScalars()->Fill(double(value));
   return image;
+}
+
+vtkSmartPointer<vtkRectilinearGrid> MakeRod(int points, double side)
+{
+  auto rod = vtkSmartPointer<vtkRectilinearGrid>::New();
+  rod->SetDimensions(points, 2, 2);
+  std::array<vtkNew<vtkDoubleArray>, 3> coordinates;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const int last = (axis == 0 ? points : 2) - 1;
+    for (int i = 0; i <= last; ++i)
+    {
+      coordinates[axis]->InsertNextValue(side * i / last);
+    }
+  }
+  rod->SetXCoordinates(coordinates[0]);
+  rod->SetYCoordinates(coordinates[1]);
+  rod->SetZCoordinates(coordinates[2]);
+  vtkNew<vtkUnsignedCharArray> scalars;
+  scalars->SetNumberOfTuples(rod->GetNumberOfPoints());
+  scalars->Fill(1.0);
+  rod->GetPointData()->SetScalars(scalars);
+  return rod;
 }
 
 void SetUniformFunctions(vtkVolumeProperty* property, double opacity)

@@ -5,6 +5,7 @@
 #include "vtkSmartPointer.h"
 
 class vtkImageData;
+class vtkRectilinearGrid;
 class vtkVolumeProperty;
 
 namespace nexrad::testing
@@ -22,6 +23,8 @@ void SetStormFunctions(vtkVolumeProperty* property, int scalarType);
 
 /// A cube of points one unit apart, all of one float value, from the origin on.
 vtkSmartPointer<vtkImageData> MakeUniformCube(int points, float value);
+/// A grid of so many by two by two points with the scalar 1, in a cube from the origin on.
+vtkSmartPointer<vtkRectilinearGrid> MakeRod(int points, double side);
 /// White, of that opacity per unit, whatever the scalar.
 void SetUniformFunctions(vtkVolumeProperty* property, double opacity);
 
