@@ -214,6 +214,11 @@ std::vector<VoxelsInOne> CoarserLevels(const GridSpecification& grid)
   return levels;
 }
 
+VoxelsInOne VoxelsBetween(const VoxelsInOne& fine, const VoxelsInOne& coarse)
+{
+  return {coarse[0] / fine[0], coarse[1] / fine[1], coarse[2] / fine[2]};
+}
+
 GriddedVolume VolumeLike(const GriddedVolume& volume, const GridSpecification& grid)
 {
   GriddedVolume like = WithoutVoxels(volume);

@@ -23,6 +23,9 @@ GridSpecification CoarserGrid(const GridSpecification& grid, const VoxelsInOne& 
 /// voxels along x and y.
 std::vector<VoxelsInOne> CoarserLevels(const GridSpecification& grid);
 
+/// Voxels of one level in one of a coarser level.
+VoxelsInOne VoxelsBetween(const VoxelsInOne& fine, const VoxelsInOne& coarse);
+
 /// A volume of a grid with the moments of another one, all of its voxels not scanned.
 GriddedVolume VolumeLike(const GriddedVolume& volume, const GridSpecification& grid);
 
