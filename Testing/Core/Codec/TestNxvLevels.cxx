@@ -16,12 +16,12 @@
 
 #include <cmath>
 #include <fstream>
-#include <random>
 
 using namespace nexrad;
 using nexrad::testing::ExpectSameVolume;
 using nexrad::testing::FileContent;
 using nexrad::testing::MakeGriddedVolume;
+using nexrad::testing::MakeMixedVolume;
 using nexrad::testing::MessageOf;
 using nexrad::testing::RowsFrom;
 using nexrad::testing::TakePart;
@@ -32,37 +32,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-// Blocks of one state, echo among them that changes from voxel to voxel, and single voxels of
-// other states.
-GriddedVolume MakeVolume(MomentName moment, const std::array<int, 3>& dimensions)
-{
-  GriddedVolume volume = MakeGriddedVolume(dimensions);
-  volume.moment = moment;
-  std::mt19937 random(static_cast<unsigned>(moment) + 5U);
-  std::uniform_int_distribution<int> hundred(0, 99);
-  std::size_t i = 0;
-  for (int z = 0; z < dimensions[2]; ++z)
-  {
-    for (int y = 0; y < dimensions[1]; ++y)
-    {
-      for (int x = 0; x < dimensions[0]; ++x, ++i)
-      {
-        const int place = x / 9 + y / 5 + z / 4;
-        const int chance = hundred(random);
-        volume.states[i] = chance == 0                    ? VoxelState::RangeFolded
-                           : chance == 1                  ? VoxelState::Filtered
-                           : place % 3 == 0 || chance < 5 ? VoxelState::NotScanned
-                           : place % 3 == 1               ? VoxelState::NoEcho
-                                                          : VoxelState::Echo;
-        volume.values[i] = volume.states[i] == VoxelState::Echo
-                             ? static_cast<float>(hundred(random)) / 2.0F
-                             : volume.fill;
-      }
-    }
-  }
-  return volume;
-}
 
 struct Expected
 {
@@ -199,7 +168,7 @@ TEST(NxvLevels, AreWhatTheirRuleSays)
     {MomentName::VEL, {1027, 75, 3}}, {MomentName::RHO, {1025, 1, 5}}};
   for (const auto& [moment, dimensions] : volumes)
   {
-    const GriddedVolume volume = MakeVolume(moment, dimensions);
+    const GriddedVolume volume = MakeMixedVolume(moment, dimensions);
     WriteBricks(path, volume, {NxvEncoding::Float});
     const std::vector<GridSpecification> grids = ReadNxvLevels(path);
     ASSERT_EQ(grids.size(), 3U);
@@ -221,8 +190,8 @@ TEST(NxvLevels, AreRoundedToTheStepsOfTheRadar)
   const TemporaryFolder folder;
   const fs::path path = folder.Path() / "levels.nxv";
   const std::array<int, 3> dimensions = {1030, 70, 3};
-  const GriddedVolume volume =
-    JoinMoments({MakeVolume(MomentName::REF, dimensions), MakeVolume(MomentName::VEL, dimensions)});
+  const GriddedVolume volume = JoinMoments(
+    {MakeMixedVolume(MomentName::REF, dimensions), MakeMixedVolume(MomentName::VEL, dimensions)});
   WriteBricks(path, volume);
   GriddedVolume expected = volume;
   expected.further.clear();
@@ -248,7 +217,7 @@ TEST(NxvLevels, ABoxOfALevelIsThatPartOfIt)
 {
   const TemporaryFolder folder;
   const fs::path path = folder.Path() / "levels.nxv";
-  WriteBricks(path, MakeVolume(MomentName::REF, {1030, 140, 9}));
+  WriteBricks(path, MakeMixedVolume(MomentName::REF, {1030, 140, 9}));
   const GriddedVolume whole = ReadNxv(path, OfLevel(1));
   NxvReadOptions box = OfLevel(1);
   box.block = VoxelBlock{{60, 3, 1}, {513, 70, 9}};
@@ -294,8 +263,8 @@ void WritePart(const fs::path& path, const GriddedVolume& volume, const VoxelBlo
 // A volume of several moments, one of them folded in the last rows alone.
 GriddedVolume MakeMoments(const std::array<int, 3>& dimensions)
 {
-  GriddedVolume volume = MakeVolume(MomentName::REF, dimensions);
-  GriddedVolume further = MakeVolume(MomentName::VEL, dimensions);
+  GriddedVolume volume = MakeMixedVolume(MomentName::REF, dimensions);
+  GriddedVolume further = MakeMixedVolume(MomentName::VEL, dimensions);
   for (std::size_t i = 0; i < further.states.size() - 1; ++i)
   {
     further.states[i] =
@@ -344,7 +313,7 @@ TEST(NxvParts, AreJoinedToTheSameFile)
 TEST(NxvParts, ThatDoNotFollowAreRefused)
 {
   const TemporaryFolder folder;
-  const GriddedVolume volume = MakeVolume(MomentName::REF, {600, 300, 5});
+  const GriddedVolume volume = MakeMixedVolume(MomentName::REF, {600, 300, 5});
   const fs::path first = folder.Path() / "first";
   const fs::path second = folder.Path() / "second";
   WritePart(first, volume, PartsFrom(volume.grid, 0, 1));
