@@ -2,6 +2,7 @@
 #include "Live/WatchRun.h"
 
 #include "Live/LiveFolder.h"
+#include "Live/NewestBricks.h"
 #include "Output/ProgressBar.h"
 #include "nexrad/Grid/GridSpecification.h"
 #include "nexrad/Live/LiveSeries.h"
@@ -119,6 +120,7 @@ public:
         AreInBricks(job.written, job.options) ? UseOfWriting(job.written, job.options) : LiveUse)
     , book(StepRulesOf(job))
     , folder(theFolder)
+    , newestBricks(series, folder.NewestVolume(), job.written)
     , status(theStatus)
   {
     this->GoOn(before);
@@ -382,7 +384,7 @@ private:
   {
     NxvBandWriter bricks(path, series.Grid(), job.written.encoding);
     const bool made =
-      series.MergeInBands(time, NxvBandWriter::Rows, PackInto(bricks), this->Going());
+      series.Plan(time).MergeBands(NxvBandWriter::Rows, PackInto(bricks), this->Going());
     if (made)
     {
       bricks.Commit();
@@ -390,10 +392,21 @@ private:
     return made;
   }
 
-  // The merged volume at the time of the newest ray. False when there is nothing new.
+  // The time of the newest volume: of the newest ray, or of volumes in bricks one that lies ahead.
+  std::optional<Time> NewestTime() const
+  {
+    const std::optional<Time> ray = series.Known().Last();
+    if (!ray || !AreInBricks(job.written, job.options))
+    {
+      return ray;
+    }
+    return newestBricks.TimeFor(*ray, job.options.step.value_or(DefaultStep));
+  }
+
+  // The newest merged volume. False when there is nothing new.
   bool MakeNewest()
   {
-    const std::optional<Time> newest = series.Known().Last();
+    const std::optional<Time> newest = this->NewestTime();
     if (!newest)
     {
       return false;
@@ -404,7 +417,10 @@ private:
       waitingSince.reset();
       return false;
     }
-    if (!this->Make(*newest, folder.NewestVolume()))
+    const bool made = AreInBricks(job.written, job.options)
+                        ? newestBricks.Make(*newest, this->Going())
+                        : this->Make(*newest, folder.NewestVolume());
+    if (!made)
     {
       return false;
     }
@@ -496,7 +512,7 @@ private:
   {
     const bool drawsNone =
       status.pictureFile.empty(); // none is asked for, or one could not be drawn
-    if (drawsNone || picture.IsRunning() || !status.newest || drawn == status.newest)
+    if (drawsNone || picture.IsRunning() || drawn == report.newest)
     {
       return;
     }
@@ -511,8 +527,8 @@ private:
       (job.output / status.pictureFile).string(), "--quiet"};
     words.insert(words.end(), job.drawing.begin(), job.drawing.end());
     picture.Start(std::move(words));
-    drawn = status.newest;
-    status.pictureTime = drawn;
+    drawn = report.newest;
+    status.pictureTime = status.newest;
   }
 
   std::map<std::string, RadarStatus> RadarStates() const
@@ -591,6 +607,7 @@ private:
   AwaitedEnds ends;
   StepBook book;
   LiveFolder& folder;
+  NewestBricks newestBricks;
   PictureProcess picture;
   LiveStatus& status;
   WatchReport report;
@@ -599,7 +616,7 @@ private:
   GriddedVolume memory; // arrays that are used again
   const FileTime begun = FileTime::clock::now();
   std::optional<FileTime> waitingSince; // last byte of the first sweep that no volume has yet
-  std::optional<Time> drawn;
+  std::size_t drawn = 0; // of the newest volumes, how many there were for the last picture
   bool concluding = false;
   std::map<std::string, bool> wasLive;
   std::chrono::steady_clock::time_point statusWritten{};

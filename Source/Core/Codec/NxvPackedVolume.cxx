@@ -9,6 +9,7 @@
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -220,16 +221,23 @@ std::vector<const NxvPackedArray*> ArraysToWrite(const NxvPackedLevel& level)
   return arrays;
 }
 
-// The payloads of arrays, as many of them as there are.
+std::size_t StreamBytes(const NxvPackedArray& packed)
+{
+  return std::accumulate(packed.bricks.begin(), packed.bricks.end(), std::size_t(0),
+    [](std::size_t bytes, const NxvBrick& brick) { return bytes + brick.stream.size(); });
+}
+
 std::vector<NxvBrickPayload> PayloadsOf(const std::vector<const NxvPackedArray*>& arrays)
 {
   std::vector<NxvBrickPayload> payloads;
   for (const NxvPackedArray* each : arrays)
   {
     payloads.push_back({each->array, {}, {}});
+    NxvBrickPayload& payload = payloads.back();
+    payload.bricks.reserve(StreamBytes(*each));
     for (const NxvBrick& brick : each->bricks)
     {
-      payloads.back().Append(brick);
+      payload.Append(brick);
     }
   }
   return payloads;
@@ -291,11 +299,7 @@ std::size_t NxvPackedVolume::MemoryBytes() const
   {
     for (const NxvPackedArray& each : level.arrays)
     {
-      bytes += each.bricks.capacity() * sizeof(NxvBrick);
-      for (const NxvBrick& brick : each.bricks)
-      {
-        bytes += brick.stream.capacity();
-      }
+      bytes += each.bricks.size() * sizeof(NxvBrick) + StreamBytes(each);
     }
   }
   return bytes;

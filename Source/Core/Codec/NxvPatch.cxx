@@ -194,7 +194,7 @@ struct NxvPatcher::Impl
   int CellSize() const { return volume.levels.back().voxels[0]; }
   int TileSize() const { return std::max(NxvBrickSize[0], this->CellSize()); }
 
-  void CheckTile(const NxvTile& tile) const
+  void CheckTile(const ChangedTile& tile) const
   {
     const GridSpecification grid = PartOf(this->Grid(), tile.block);
     for (std::size_t axis = 0; axis < 2; ++axis)
@@ -246,7 +246,7 @@ struct NxvPatcher::Impl
   }
 
   // What a tile has of a level: `made` is the tile's volume in the voxels of that level.
-  TilePart PartOfTile(const NxvTile& tile, std::size_t number, const VoxelBlock& block,
+  TilePart PartOfTile(const ChangedTile& tile, std::size_t number, const VoxelBlock& block,
     const GriddedVolume& made) const
   {
     const NxvPackedLevel& level = volume.levels[number];
@@ -269,7 +269,7 @@ struct NxvPatcher::Impl
 
   // Packs a tile's volume, and makes its parts of coarser levels, each of the exact values of the
   // one before.
-  PackedTile Pack(NxvTile tile) const
+  PackedTile Pack(ChangedTile tile) const
   {
     this->CheckTile(tile);
     PackedTile packed;
@@ -368,13 +368,13 @@ int NxvPatcher::TileSize() const
 
 // Bricks take their places when all are made: until then nothing has changed.
 void NxvPatcher::Replace(std::size_t count,
-  const std::function<std::optional<NxvTile>(std::size_t number)>& make, const RangeLoop& loop)
+  const std::function<std::optional<ChangedTile>(std::size_t number)>& make, const RangeLoop& loop)
 {
   std::vector<std::optional<PackedTile>> made(count);
   RunEach(loop, count,
     [&](std::size_t number)
     {
-      if (std::optional<NxvTile> tile = make(number))
+      if (std::optional<ChangedTile> tile = make(number))
       {
         made[number] = impl->Pack(std::move(*tile));
       }

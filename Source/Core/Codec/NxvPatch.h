@@ -16,20 +16,6 @@
 namespace nexrad
 {
 
-/// Voxels of a tile of a volume in bricks that are made anew: whole cells of its columns.
-struct NxvTile
-{
-  /// Of the volume's grid. Along x and y a tile, or several, from multiples of TileSize to such
-  /// multiples or to the end of the grid; along z all of the grid.
-  VoxelBlock block;
-  /// Of that block, with the moments and ancillary arrays of the file. What voxels outside the
-  /// cells that change hold has no meaning, but must be possible.
-  GriddedVolume volume;
-  /// Of each cell of CellSize × CellSize columns of the block, x fastest: not 0 where its voxels
-  /// are made anew. At the upper faces of the grid cells have fewer columns.
-  std::vector<std::uint8_t> changed;
-};
-
 /// A volume file in bricks of which parts are replaced. It is kept in memory as it is packed, and
 /// only the bricks that change are packed again, in the volume and in its coarser levels. What is
 /// written is what NxvBandWriter writes of the whole changed volume, byte for byte.
@@ -50,11 +36,13 @@ public:
   /// Columns along x and y of a tile: those of a brick, or of a cell if that is larger.
   int TileSize() const;
 
-  /// Replaces voxels of so many tiles, which do not overlap. Calls make(i) for each i < count,
-  /// several at a time by `loop`; nothing: that tile does not change. Throws Error for a tile that
-  /// does not fit, and what `make` throws; then no voxel has been replaced.
+  /// Replaces voxels of so many tiles, which do not overlap. Along x and y the block of each, of
+  /// one tile or several, goes from multiples of TileSize to such multiples or to the end of the
+  /// grid; its cells have CellSize columns. Calls make(i) for each i < count, several at a time by
+  /// `loop`; nothing: that tile does not change. Throws Error for a tile that does not fit, and
+  /// what `make` throws; then no voxel has been replaced.
   void Replace(std::size_t count,
-    const std::function<std::optional<NxvTile>(std::size_t number)>& make,
+    const std::function<std::optional<ChangedTile>(std::size_t number)>& make,
     const RangeLoop& loop = {});
 
   /// Writes the volume as NxvBandWriter does. `description` says what it is, but for the grid.

@@ -114,6 +114,18 @@ struct GriddedVolume : GriddedVolumeDescription
   std::vector<GriddedVolume> further;
 };
 
+/// Columns of a grid with all its levels, of which some become others.
+struct ChangedTile
+{
+  VoxelBlock block; ///< of the grid
+  /// Of the block, with all moments and ancillary arrays. What voxels outside the cells that change
+  /// hold has no meaning, but must be possible.
+  GriddedVolume volume;
+  /// Of each cell of some columns along x and y, x fastest: not 0 where its voxels become others.
+  /// At the upper faces of the grid cells have fewer columns.
+  std::vector<std::uint8_t> changed;
+};
+
 /// What a volume says of itself, without its voxels and its further moments.
 GriddedVolume WithoutVoxels(const GriddedVolume& volume);
 

@@ -128,8 +128,15 @@ ColumnDirection DirectionOf(const Offset& offset, double effectiveRadius)
     static_cast<float>(TangentOf(0.5 * distance / effectiveRadius))};
 }
 
-// The columns of a grid within a box round the circle of `reach` about a site.
-VoxelBlock BoxAbout(const GridSpecification& grid, const Position& site, double reach)
+bool HasColumns(const VoxelBlock& box)
+{
+  return box.Size(0) > 0 && box.Size(1) > 0;
+}
+
+} // namespace
+
+VoxelBlock SiteGeometry::ColumnsAbout(
+  const GridSpecification& grid, const Position& site, double reach)
 {
   const auto centre = grid.FromGeographic(site.longitude, site.latitude);
   const auto half = HalfBox(grid, site.latitude, reach);
@@ -145,17 +152,10 @@ VoxelBlock BoxAbout(const GridSpecification& grid, const Position& site, double 
   return box;
 }
 
-bool HasColumns(const VoxelBlock& box)
-{
-  return box.Size(0) > 0 && box.Size(1) > 0;
-}
-
-} // namespace
-
 std::size_t SiteGeometry::MemoryBytesOf(
   const GridSpecification& grid, const Position& site, double reach, int rows)
 {
-  const VoxelBlock box = BoxAbout(grid, site, reach);
+  const VoxelBlock box = ColumnsAbout(grid, site, reach);
   const auto width = static_cast<std::size_t>(box.Size(0));
   const int most = rows > 0 ? rows : grid.dimensions[1];
   const auto height = static_cast<std::size_t>(std::min(most, box.Size(1)));
@@ -171,7 +171,7 @@ std::size_t SiteGeometry::MostMemoryBytes(const std::array<int, 3>& dimensions)
 SiteGeometry::SiteGeometry(const GridSpecification& grid, const Position& site, double reach,
   const BeamModel& beam, const std::optional<VoxelBlock>& block)
 {
-  const VoxelBlock all = BoxAbout(grid, site, reach);
+  const VoxelBlock all = ColumnsAbout(grid, site, reach);
   const VoxelBlock wanted = block.value_or(VoxelBlock::Of(grid));
   VoxelBlock part;
   for (std::size_t axis = 0; axis < 2; ++axis)

@@ -37,6 +37,9 @@ public:
   SiteGeometry(const GridSpecification& grid, const Position& site, double reach,
     const BeamModel& beam = BeamModel(), const std::optional<VoxelBlock>& block = {});
 
+  /// The columns of a grid within a box round the circle of `reach` m about a site.
+  static VoxelBlock ColumnsAbout(const GridSpecification& grid, const Position& site, double reach);
+
   /// The box of columns kept: begin ≤ x < end, likewise y. Empty boxes have begin = end.
   int BeginX() const { return box.begin[0]; }
   int EndX() const { return box.end[0]; }

@@ -196,11 +196,12 @@ void BeamColumn::Add(const SiteColumn& site)
   }
 }
 
-void BeamColumn::AddQuiet(const SiteColumn& site, std::size_t firstTilt, std::size_t endTilt)
+std::pair<int, int> BeamColumn::QuietLevels(
+  const SiteColumn& site, std::size_t firstTilt, std::size_t endTilt) const
 {
   if (firstTilt == endTilt)
   {
-    return;
+    return {0, 0};
   }
   const std::vector<TiltEdges>& edges = *site.edges;
   const HeightsOver over(site);
@@ -211,6 +212,12 @@ void BeamColumn::AddQuiet(const SiteColumn& site, std::size_t firstTilt, std::si
   // Beside a tilt that did not scan the column, half a beam width counts, but not beyond that tilt.
   from = firstTilt > 0 ? std::max(from, over.LevelAt(edges[firstTilt - 1].tangent)) : from;
   to = endTilt < edges.size() ? std::min(to, over.LevelAt(edges[endTilt].tangent)) : to;
+  return from < to ? std::pair(from, to) : std::pair(0, 0);
+}
+
+void BeamColumn::AddQuiet(const SiteColumn& site, std::size_t firstTilt, std::size_t endTilt)
+{
+  const auto [from, to] = this->QuietLevels(site, firstTilt, endTilt);
   const float* ofLevel = site.levels->weight.data();
   for (int z = from; z < to; ++z)
   {
@@ -484,6 +491,17 @@ void BeamColumn::AddAncillary(const SiteColumn& site, const Gap& gap, int from, 
                                        : nearestSites[at];
     ++radars[at];
   }
+}
+
+bool BeamColumn::HasEcho() const
+{
+  return std::any_of(echo.begin(), echo.end(), [](float weight) { return weight > 0.0F; });
+}
+
+bool BeamColumn::HasSameSums(const BeamColumn& other) const
+{
+  return scanned == other.scanned && echo == other.echo && sum == other.sum &&
+         unknown == other.unknown && (!ancillary || (ages == other.ages && radars == other.radars));
 }
 
 void BeamColumn::Finish(float fill)

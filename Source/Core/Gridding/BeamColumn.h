@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace nexrad
@@ -80,10 +81,18 @@ public:
   void Add(const SiteColumn& site);
 
   /// The same of a radar of which the tilts from the first to before the end scanned the column,
-  /// count in full and have no echo, and the others did not scan it. Of these tilts the samples of
-  /// the first and the last are looked at, of the last unless it passes above the levels. No
-  /// layers, no ancillary arrays.
+  /// have no echo and count in full, or as much as no one asks, and the others did not scan it. Of
+  /// these tilts the samples of the first and the last are looked at, of the last unless it passes
+  /// above the levels. No layers, no ancillary arrays.
   void AddQuiet(const SiteColumn& site, std::size_t firstTilt, std::size_t endTilt);
+  /// The levels from the first to before the second one that such a radar scanned; none: 0, 0.
+  std::pair<int, int> QuietLevels(
+    const SiteColumn& site, std::size_t firstTilt, std::size_t endTilt) const;
+
+  /// Whether a radar gave an echo to any voxel.
+  bool HasEcho() const;
+  /// Whether another column of as many levels was given the same by its radars.
+  bool HasSameSums(const BeamColumn& other) const;
 
   /// Decides each voxel; then the results below hold.
   void Finish(float fill);

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <locale>
 #include <map>
+#include <set>
 #include <sstream>
 
 namespace nexrad
@@ -86,15 +87,16 @@ float LongestTime(const std::vector<TiltObservation>& observations, bool after)
   return longest;
 }
 
-// Metres that echo may move between the time and any observation of these tilts.
-double FarthestWay(const std::vector<BeamTilt>& tilts, const MotionField& motion)
+// Metres that echo over a block may move between the time and any observation of these tilts.
+double FarthestWay(
+  const std::vector<BeamTilt>& tilts, const MotionField& motion, const VoxelBlock& block)
 {
   float longest = 0.0F; // s
   for (const BeamTilt& tilt : tilts)
   {
     longest = std::max({longest, LongestTime(tilt.before, false), LongestTime(tilt.after, true)});
   }
-  return motion.FastestSpeed() * static_cast<double>(longest);
+  return motion.FastestSpeedIn(block) * static_cast<double>(longest);
 }
 
 // The volumes of each radar.
@@ -359,68 +361,85 @@ const SiteGeometry& BeamMerger::GeometryOf(const Position& position) const
   return *geometries.at({position.latitude, position.longitude});
 }
 
-std::vector<MergeSite> BeamMerger::MakeSites(
-  const BeamVolumes& volumes, Time time, const MotionField* motion) const
+std::optional<MergeSite> BeamMerger::MakeSite(int number,
+  const std::vector<const BeamVolume*>& volumes, Time time, const MotionField* motion) const
 {
-  const double radius = options.beam.EffectiveRadius();
-  std::vector<MergeSite> sites;
-  int number = -1;
-  for (const auto& group : GroupBySite(volumes))
+  const std::vector<BeamTilt> tilts = FindTilts(volumes, time, options.maximumGap);
+  if (tilts.empty())
   {
-    ++number;
-    const std::vector<BeamTilt> tilts = FindTilts(group.second, time, options.maximumGap);
-    if (tilts.empty())
-    {
-      continue;
-    }
-    const BeamVolume& any = *group.second.front();
-    const Position& position = *any.site.position;
-    const bool byDistance = StrategyFor(any.moment, options.strategy) == OverlapStrategy::Distance;
-    const double reach = std::min(SiteGeometry::FarthestGate,
-      LargestOf(group.second, [](const BeamSweep& sweep) { return sweep.Reach(); }));
-    MergeSite site{number, position, nullptr,
-      SiteLevels(grid, position.altitude, radius, byDistance ? options.overlapLength : 0.0), tilts,
-      {}, ContextFor(any, options, radius), HalfTangentAt(reach, radius), {}, {}, {}, {}, {}, {}};
-    const double beamWidth = options.beamWidth.value_or(BeamWidthOf(any.site));
-    std::vector<float> elevations;
-    for (const BeamTilt& tilt : site.tilts)
-    {
-      elevations.push_back(tilt.elevation);
-      site.quiet.push_back(FindQuiet(tilt, site.context));
-    }
-    site.edges = FindEdges(elevations, beamWidth);
-    FindQuietZones(options.overlapLength, byDistance, site);
-    if (options.trend && any.moment == MomentName::REF && !options.linearReflectivity)
-    {
-      site.layers = SiteLayers(group.second, site.tilts, time);
-    }
-    // Gates count in the sample of a column that is so far away, but for one gate or ray beside.
-    const double spread =
-      LargestOf(group.second, [](const BeamSweep& sweep) { return sweep.means.spread; });
-    const double way = motion != nullptr ? FarthestWay(site.tilts, *motion) : 0.0;
-    std::vector<const VolumeComposite*> composites;
-    for (const BeamVolume* volume : group.second)
-    {
-      composites.push_back(&volume->composite);
-    }
-    site.mask = EchoMask(composites, radius, way + spread);
-    site.north = NorthIn(grid, position);
-    sites.push_back(std::move(site));
+    return std::nullopt;
   }
-  return sites;
+  const double radius = options.beam.EffectiveRadius();
+  const BeamVolume& any = *volumes.front();
+  const Position& position = *any.site.position;
+  const bool byDistance = StrategyFor(any.moment, options.strategy) == OverlapStrategy::Distance;
+  const double reach = std::min(SiteGeometry::FarthestGate,
+    LargestOf(volumes, [](const BeamSweep& sweep) { return sweep.Reach(); }));
+  MergeSite site{number, position, volumes,
+    SiteLevels(grid, position.altitude, radius, byDistance ? options.overlapLength : 0.0), tilts,
+    {}, ContextFor(any, options, radius), HalfTangentAt(reach, radius), {}, {}, {}, {}, {}, {}};
+  const double beamWidth = options.beamWidth.value_or(BeamWidthOf(any.site));
+  std::vector<float> elevations;
+  for (const BeamTilt& tilt : site.tilts)
+  {
+    elevations.push_back(tilt.elevation);
+    site.quiet.push_back(FindQuiet(tilt, site.context));
+  }
+  site.edges = FindEdges(elevations, beamWidth);
+  FindQuietZones(options.overlapLength, byDistance, site);
+  if (options.trend && any.moment == MomentName::REF && !options.linearReflectivity)
+  {
+    site.layers = SiteLayers(volumes, site.tilts, time);
+  }
+  // Gates count in the sample of a column that is so far away, but for one gate or ray beside.
+  const double spread =
+    LargestOf(volumes, [](const BeamSweep& sweep) { return sweep.means.spread; });
+  const VoxelBlock about = SiteGeometry::ColumnsAbout(grid, position, reach);
+  const double way = motion != nullptr ? FarthestWay(site.tilts, *motion, about) : 0.0;
+  std::vector<const VolumeComposite*> composites;
+  for (const BeamVolume* volume : volumes)
+  {
+    composites.push_back(&volume->composite);
+  }
+  site.mask = EchoMask(composites, radius, way + spread);
+  site.north = NorthIn(grid, position);
+  return site;
 }
 
-GriddedVolume BeamMerger::VolumeToFill(
-  const BeamVolumes& volumes, Time time, GriddedVolume memory) const
+// Of `before`, sites with the same volumes are taken; their numbers are asked for ancillary arrays.
+void BeamMerger::FindSites(BeamMergePlan& plan, const BeamMergePlan* before) const
+{
+  int number = -1;
+  for (const auto& group : GroupBySite(plan.volumes))
+  {
+    ++number;
+    const std::vector<const BeamVolume*>& volumes = group.second;
+    const auto isSame = [&](const std::shared_ptr<const MergeSite>& site)
+    { return site->volumes == volumes && (site->number == number || !options.ancillary); };
+    if (before != nullptr)
+    {
+      const auto same = std::find_if(before->sites.begin(), before->sites.end(), isSame);
+      if (same != before->sites.end())
+      {
+        plan.sites.push_back(*same);
+        continue;
+      }
+    }
+    if (std::optional<MergeSite> site = this->MakeSite(number, volumes, plan.time, plan.motion))
+    {
+      plan.sites.push_back(std::make_shared<const MergeSite>(std::move(*site)));
+    }
+  }
+}
+
+GriddedVolume BeamMerger::Describe(const BeamMergePlan& plan) const
 {
   GriddedVolume volume;
-  volume.values = std::move(memory.values);
-  volume.states = std::move(memory.states);
-  volume.grid = PartOf(grid, block);
-  volume.time = time;
+  volume.grid = grid;
+  volume.time = plan.time;
   volume.method = "beam";
   EchoGates echo;
-  for (const std::shared_ptr<const BeamVolume>& each : volumes)
+  for (const std::shared_ptr<const BeamVolume>& each : plan.volumes)
   {
     volume.moment = each->moment;
     volume.synthetic = volume.synthetic || each->synthetic;
@@ -430,24 +449,27 @@ GriddedVolume BeamMerger::VolumeToFill(
   }
   volume.biologicalShare =
     static_cast<float>(echo.biological) / static_cast<float>(std::max<std::size_t>(echo.all, 1));
-  for (const auto& group : GroupBySite(volumes))
+  for (const auto& group : GroupBySite(plan.volumes))
   {
     const Site& site = group.second.front()->site;
     AddNote(group.second, volume.notes);
     volume.sites.push_back(site.name);
     volume.sitePositions.push_back(site.position.value());
   }
-  const std::size_t count = block.VoxelCount();
+  return volume;
+}
+
+void BeamMerger::MakeRoom(GriddedVolume& volume) const
+{
+  const std::size_t count = volume.grid.VoxelCount();
   // What used memory holds stays: the merge sets every value.
   volume.values.resize(count);
   volume.states.resize(count);
   if (options.ancillary)
   {
-    volume.ancillary = std::move(memory.ancillary);
     ForEachAncillaryArray(
       volume.ancillary, [count](const char*, auto& values) { values.resize(count); });
   }
-  return volume;
 }
 
 std::optional<GriddedVolume> BeamMerger::Merge(const BeamVolumes& volumes, Time time,
@@ -465,9 +487,32 @@ BeamMergePlan BeamMerger::Plan(
     throw Error("the motion must be that of the grid of the merge, or constant");
   }
   const bool moves = motion != nullptr && motion->FastestSpeed() > 0.0;
-  BeamMergePlan plan{this->WithMeans(volumes, loop), time, moves ? motion : nullptr, {}};
-  plan.sites = this->MakeSites(plan.volumes, time, plan.motion);
+  BeamMergePlan plan{this->WithMeans(volumes, loop), time, moves ? motion : nullptr, {}, {}};
+  this->FindSites(plan, nullptr);
   return plan;
+}
+
+BeamMergePlan BeamMerger::PlanAgain(
+  const BeamMergePlan& before, const BeamVolumes& volumes, const RangeLoop& loop)
+{
+  BeamMergePlan plan{this->WithMeans(volumes, loop), before.time, before.motion, {}, before.echoes};
+  this->FindSites(plan, &before);
+  return plan;
+}
+
+RowOptions BeamMerger::RowsFor(BeamMergePlan& plan, MomentName moment, const VoxelBlock& part) const
+{
+  RowOptions rows;
+  rows.block = part;
+  rows.levels = grid.dimensions[2];
+  rows.strategy = StrategyFor(moment, options.strategy);
+  rows.overlapLength = static_cast<float>(options.overlapLength);
+  rows.fillColumns = options.fillColumns;
+  rows.trend = options.trend;
+  rows.motion = plan.motion;
+  rows.echoes = plan.echoes.empty() ? nullptr : plan.echoes.data();
+  rows.width = grid.dimensions[0];
+  return rows;
 }
 
 std::optional<GriddedVolume> BeamMerger::Merge(
@@ -479,19 +524,18 @@ std::optional<GriddedVolume> BeamMerger::Merge(
     positions.push_back(*volume->site.position);
   }
   this->FindGeometries(positions, loop);
-  for (MergeSite& site : plan.sites)
+  std::vector<SiteOnBlock> sites;
+  for (const std::shared_ptr<const MergeSite>& site : plan.sites)
   {
-    site.geometry = &this->GeometryOf(site.position);
+    sites.push_back({site.get(), &this->GeometryOf(site->position)});
   }
-  GriddedVolume volume = this->VolumeToFill(plan.volumes, plan.time, std::move(memory));
-  RowOptions rows;
-  rows.block = block;
-  rows.levels = grid.dimensions[2];
-  rows.strategy = StrategyFor(volume.moment, options.strategy);
-  rows.overlapLength = static_cast<float>(options.overlapLength);
-  rows.fillColumns = options.fillColumns;
-  rows.trend = options.trend;
-  rows.motion = plan.motion;
+  GriddedVolume volume = this->Describe(plan);
+  volume.grid = PartOf(grid, block);
+  volume.values = std::move(memory.values);
+  volume.states = std::move(memory.states);
+  volume.ancillary = std::move(memory.ancillary);
+  this->MakeRoom(volume);
+  const RowOptions rows = this->RowsFor(plan, volume.moment, block);
   const int height = block.Size(1);
   for (int band = 0; band < height; band += bandHeight)
   {
@@ -505,13 +549,132 @@ std::optional<GriddedVolume> BeamMerger::Merge(
       {
         const int first = band + begin * rowsTogether;
         const int last = std::min(band + end * rowsTogether, bandEnd);
-        MergeRows(plan.sites, rows, block.begin[1] + first, block.begin[1] + last, volume);
+        MergeRows(sites, rows, block.begin[1] + first, block.begin[1] + last, volume);
       });
   }
   if (progress && !progress(1.0))
   {
     return std::nullopt;
   }
+  return volume;
+}
+
+namespace
+{
+
+// Finds the radars that reach a tile, with their geometry on it, which lives as long as this.
+class SitesOnTile
+{
+public:
+  SitesOnTile(const GridSpecification& theGrid, const BeamModel& theBeam, const VoxelBlock& theTile)
+    : grid(theGrid)
+    , beam(theBeam)
+    , tile(theTile)
+  {
+  }
+
+  void Add(const MergeSite& site, std::vector<SiteOnBlock>& to)
+  {
+    const std::array<double, 2> place = {site.position.latitude, site.position.longitude};
+    const auto geometry =
+      geometries.try_emplace(place, grid, site.position, SiteGeometry::FarthestGate, beam, tile)
+        .first;
+    if (geometry->second.Nearest() <= site.reach)
+    {
+      to.push_back({&site, &geometry->second});
+    }
+  }
+
+private:
+  const GridSpecification& grid;
+  const BeamModel& beam;
+  const VoxelBlock& tile;
+  std::map<std::array<double, 2>, SiteGeometry> geometries; // by latitude and longitude
+};
+
+using Sites = std::vector<std::shared_ptr<const MergeSite>>;
+
+// The sites of a plan that another one does not have.
+std::vector<const MergeSite*> SitesOfOne(const Sites& sites, const Sites& others)
+{
+  std::vector<const MergeSite*> own;
+  for (const std::shared_ptr<const MergeSite>& site : sites)
+  {
+    if (std::find(others.begin(), others.end(), site) == others.end())
+    {
+      own.push_back(site.get());
+    }
+  }
+  return own;
+}
+
+} // namespace
+
+std::vector<VoxelBlock> BeamMerger::FindTiles(
+  const BeamMergePlan& before, const BeamMergePlan& after, int size) const
+{
+  std::set<std::array<int, 2>> places; // y, x
+  for (const auto& sites :
+    {SitesOfOne(before.sites, after.sites), SitesOfOne(after.sites, before.sites)})
+  {
+    for (const MergeSite* site : sites)
+    {
+      const double reach = 2.0 * options.beam.EffectiveRadius() * std::atan(site->reach);
+      const VoxelBlock box = SiteGeometry::ColumnsAbout(grid, site->position, reach);
+      for (int y = box.begin[1] / size; y * size < box.end[1]; ++y)
+      {
+        for (int x = box.begin[0] / size; x * size < box.end[0]; ++x)
+        {
+          places.insert({y, x});
+        }
+      }
+    }
+  }
+  std::vector<VoxelBlock> tiles;
+  for (const auto& [y, x] : places)
+  {
+    VoxelBlock tile = VoxelBlock::Of(grid);
+    tile.begin = {x * size, y * size, 0};
+    tile.end[0] = std::min(tile.begin[0] + size, grid.dimensions[0]);
+    tile.end[1] = std::min(tile.begin[1] + size, grid.dimensions[1]);
+    tiles.push_back(tile);
+  }
+  return tiles;
+}
+
+std::vector<std::uint8_t> BeamMerger::FindChanges(
+  const BeamMergePlan& before, BeamMergePlan& after, const VoxelBlock& tile) const
+{
+  SitesOnTile onTile(grid, options.beam, tile);
+  std::vector<SiteOnBlock> sites;
+  std::vector<SiteOnBlock> others;
+  for (const MergeSite* site : SitesOfOne(before.sites, after.sites))
+  {
+    onTile.Add(*site, sites);
+  }
+  for (const MergeSite* site : SitesOfOne(after.sites, before.sites))
+  {
+    onTile.Add(*site, others);
+  }
+  const MomentName moment = after.volumes.empty() ? MomentName::REF : after.volumes.front()->moment;
+  return FindDifferences(sites, others, this->RowsFor(after, moment, tile), options.ancillary);
+}
+
+GriddedVolume BeamMerger::MergeColumnsOf(
+  BeamMergePlan& plan, const VoxelBlock& tile, const std::vector<std::uint8_t>& wanted) const
+{
+  SitesOnTile onTile(grid, options.beam, tile);
+  std::vector<SiteOnBlock> sites;
+  for (const std::shared_ptr<const MergeSite>& site : plan.sites)
+  {
+    onTile.Add(*site, sites);
+  }
+  GriddedVolume volume = this->Describe(plan);
+  volume.grid = PartOf(grid, tile);
+  volume.values.assign(tile.VoxelCount(), volume.fill);
+  volume.states.assign(tile.VoxelCount(), VoxelState::NotScanned);
+  this->MakeRoom(volume);
+  MergeColumns(sites, this->RowsFor(plan, volume.moment, tile), wanted, volume);
   return volume;
 }
 

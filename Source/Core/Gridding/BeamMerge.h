@@ -72,7 +72,10 @@ struct BeamMergePlan
   BeamVolumes volumes; ///< with means for the grid
   Time time{};
   const MotionField* motion = nullptr; ///< as BeamMerger::Plan was given it; nullptr when it is 0
-  std::vector<MergeSite> sites;
+  std::vector<std::shared_ptr<const MergeSite>> sites;
+  /// Of each column of the grid, x fastest, whether a radar gives an echo to any of its voxels: not
+  /// 0. Merges note it; empty where nobody asks.
+  std::vector<std::uint8_t> echoes;
 };
 
 /// The default method: merges volumes of any number of radars on a grid by the geometry of their
@@ -123,6 +126,24 @@ public:
   std::optional<GriddedVolume> Merge(BeamMergePlan& plan, const RangeLoop& loop = {},
     const Progress& progress = {}, GriddedVolume memory = {});
 
+  /// A plan for the time and the motion of another one, of other volumes. Radars whose volumes are
+  /// the same are taken from there.
+  BeamMergePlan PlanAgain(
+    const BeamMergePlan& before, const BeamVolumes& volumes, const RangeLoop& loop = {});
+  /// The tiles of `size` columns along x and y, as far as the grid goes, that radars reach whose
+  /// volumes differ between a plan and the one of which it was made.
+  std::vector<VoxelBlock> FindTiles(
+    const BeamMergePlan& before, const BeamMergePlan& after, int size) const;
+  /// Marks the columns of a tile, x fastest, whose merge may differ: not 0. Several threads may ask
+  /// at a time for different tiles, here and in MergeColumnsOf.
+  std::vector<std::uint8_t> FindChanges(
+    const BeamMergePlan& before, BeamMergePlan& after, const VoxelBlock& tile) const;
+  /// The merge of the marked columns of a tile; its other voxels are not scanned.
+  GriddedVolume MergeColumnsOf(
+    BeamMergePlan& plan, const VoxelBlock& tile, const std::vector<std::uint8_t>& wanted) const;
+  /// What the merge of a plan says of itself, without voxels.
+  GriddedVolume Describe(const BeamMergePlan& plan) const;
+
   const GridSpecification& Grid() const { return grid; }
   const BeamMergeOptions& Options() const { return options; }
 
@@ -137,9 +158,11 @@ private:
   BeamVolumes WithMeans(const BeamVolumes& volumes, const RangeLoop& loop);
   void FindGeometries(const std::vector<Position>& positions, const RangeLoop& loop);
   const SiteGeometry& GeometryOf(const Position& position) const;
-  std::vector<MergeSite> MakeSites(
-    const BeamVolumes& volumes, Time time, const MotionField* motion) const;
-  GriddedVolume VolumeToFill(const BeamVolumes& volumes, Time time, GriddedVolume memory) const;
+  std::optional<MergeSite> MakeSite(int number, const std::vector<const BeamVolume*>& volumes,
+    Time time, const MotionField* motion) const;
+  void FindSites(BeamMergePlan& plan, const BeamMergePlan* before) const;
+  void MakeRoom(GriddedVolume& volume) const;
+  RowOptions RowsFor(BeamMergePlan& plan, MomentName moment, const VoxelBlock& part) const;
 
   const GridSpecification grid;
   const BeamMergeOptions options;

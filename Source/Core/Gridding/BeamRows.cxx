@@ -50,6 +50,11 @@ private:
   std::vector<Value> values;
 };
 
+bool HasNoEcho(QuietZones::Tilt tilt)
+{
+  return tilt == QuietZones::Tilt::NoEcho || tilt == QuietZones::Tilt::AgingNoEcho;
+}
+
 // A motion in the grid's directions as a radar sees it over a column.
 ColumnMotion MotionSeenBy(
   const MergeSite& site, const ColumnDirection& column, const Velocity& velocity)
@@ -68,15 +73,15 @@ ColumnMotion MotionSeenBy(
 class StripMerger
 {
 public:
-  StripMerger(
-    const std::vector<MergeSite>& theSites, const RowOptions& theOptions, GriddedVolume& theVolume)
+  StripMerger(const std::vector<SiteOnBlock>& theSites, const RowOptions& theOptions,
+    bool withAncillaryArrays)
     : sites(theSites)
     , options(theOptions)
-    , volume(theVolume)
     , levels(static_cast<std::size_t>(theOptions.levels))
-    , ancillary(!theVolume.ancillary.age.empty())
+    , ancillary(withAncillaryArrays)
     , column(theOptions.levels, theOptions.strategy,
-        theSites.empty() ? ValueRule() : theSites.front().context.rule, ancillary, theOptions.trend)
+        theSites.empty() ? ValueRule() : theSites.front().site->context.rule, ancillary,
+        theOptions.trend)
     , values(levels)
     , states(levels)
     , ages(ancillary ? levels : 0)
@@ -89,19 +94,33 @@ public:
   }
 
   // Merges the columns x to x + count − 1 of a row.
-  void Merge(int x, int y, int count)
+  void Merge(int x, int y, int count, GriddedVolume& volume)
   {
-    present.clear();
-    for (std::size_t i = 0; i < sites.size(); ++i)
-    {
-      this->Sample(i, x, y, count);
-    }
+    this->Sample(x, y, count);
     anyEcho = false;
+    if (options.echoes != nullptr)
+    {
+      std::fill_n(this->EchoesOf(x, y), count, std::uint8_t(0));
+    }
     for (int i = 0; i < count && !present.empty(); ++i)
     {
-      this->MergeColumn(x + i, y, i);
+      this->MergeColumn(x + i, y, i, volume.fill);
     }
-    this->Write(x, y, count);
+    this->Write(x, y, count, volume);
+  }
+
+  // From now on, what radars see is compared alone, however much they count beside each other.
+  void BeginToCompare() { compares = true; }
+
+  // Marks those of these columns to which others give something else.
+  void Compare(StripMerger& others, int x, int y, int count, std::uint8_t* marks)
+  {
+    this->Sample(x, y, count);
+    others.Sample(x, y, count);
+    for (int i = 0; i < count; ++i)
+    {
+      marks[i] = this->IsSame(others, x + i, y, i) ? 0 : 1;
+    }
   }
 
 private:
@@ -115,6 +134,7 @@ private:
     const QuietZones::Tilt* known = nullptr; // of each tilt where none has an echo; or nullptr
     ColumnMotion motion;
     bool quiet = false;
+    bool inFull = false; // where it is quiet: near enough in time to count so
     std::size_t firstTilt = 0;
     std::size_t endTilt = 0; // firstTilt where no tilt scanned it
   };
@@ -127,10 +147,25 @@ private:
     int end;
   };
 
-  void Sample(std::size_t number, int x, int y, int count)
+  // Looks all radars up about columns of a row.
+  void Sample(int x, int y, int count)
   {
-    const MergeSite& site = sites[number];
-    const SiteGeometry& geometry = *site.geometry;
+    present.clear();
+    echoes.fill(false);
+    for (std::size_t i = 0; i < sites.size(); ++i)
+    {
+      this->SurveySite(i, x, y, count);
+    }
+    for (const Present& each : present)
+    {
+      this->SampleSite(each, x, y);
+    }
+  }
+
+  void SurveySite(std::size_t number, int x, int y, int count)
+  {
+    const MergeSite& site = *sites[number].site;
+    const SiteGeometry& geometry = *sites[number].geometry;
     int begin = std::max(x, geometry.BeginX()) - x;
     int end = std::min(x + count, geometry.EndX()) - x;
     if (y < geometry.BeginY() || y >= geometry.EndY() || begin >= end)
@@ -153,27 +188,94 @@ private:
     present.push_back({number, begin, end});
     samples[number].resize(site.tilts.size() * stripWidth); // of few radars, on a large grid
     this->SurveyColumns(number, directions, x, y, begin, end);
-    const std::array<Surroundings, stripWidth>& about = surroundings[number];
+  }
+
+  // Looks up the tilts of a radar that is not quiet. Where another one is not, how much it counts
+  // matters, too.
+  void SampleSite(const Present& seen, int x, int y)
+  {
+    const MergeSite& site = *sites[seen.site].site;
+    std::array<Surroundings, stripWidth>& about = surroundings[seen.site];
+    for (auto i = static_cast<std::size_t>(seen.begin); i < static_cast<std::size_t>(seen.end); ++i)
+    {
+      about[i].quiet = about[i].quiet && (about[i].inFull || !echoes[i]);
+    }
+    const ColumnDirection* directions = &this->DirectionAt(seen.site, x + seen.begin, y);
     const std::size_t tilts = site.tilts.size();
     for (std::size_t tilt = 0; tilt < tilts; ++tilt)
     {
-      TiltSample* to = samples[number].data() + tilt;
-      for (int i = begin; i < end; ++i)
+      TiltSample* to = samples[seen.site].data() + tilt;
+      for (int i = seen.begin; i < seen.end; ++i)
       {
         if (!about[static_cast<std::size_t>(i)].quiet)
         {
-          to[static_cast<std::size_t>(i) * tilts] =
-            this->SampleColumn(site, tilt, directions[i], about[static_cast<std::size_t>(i)]);
+          to[static_cast<std::size_t>(i) * tilts] = this->SampleColumn(
+            site, tilt, directions[i - seen.begin], about[static_cast<std::size_t>(i)]);
         }
       }
     }
+  }
+
+  // Whether others give the same to a column.
+  bool IsSame(StripMerger& others, int x, int y, int place)
+  {
+    const bool echo = this->FindOrder(x, y, place);
+    const bool othersEcho = others.FindOrder(x, y, place);
+    if (echo || othersEcho || order.size() > 1 || others.order.size() > 1)
+    {
+      this->AddRadars(x, y, place);
+      others.AddRadars(x, y, place);
+      return column.HasSameSums(others.column);
+    }
+    // Echo of a further radar feels how much those count that have none.
+    return this->QuietLevels(x, y, place) == others.QuietLevels(x, y, place) &&
+           ((this->CountInFull(place) && others.CountInFull(place)) || !this->HadEcho(x, y));
+  }
+
+  // The levels that the one radar scanned that sees a column, and has no echo there.
+  std::pair<int, int> QuietLevels(int x, int y, int place)
+  {
+    if (order.empty())
+    {
+      return {0, 0};
+    }
+    const auto& [halfTangent, number] = order.front();
+    const Surroundings& about = surroundings[number][static_cast<std::size_t>(place)];
+    return column.QuietLevels(
+      this->SeenBy(number, halfTangent, x, y, place, false), about.firstTilt, about.endTilt);
+  }
+
+  // Whether gates of a radar hold anything about a column but no echo.
+  static bool Holds(const MergeSite& site, const Surroundings& about)
+  {
+    return about.top >= site.lowestQuiet || about.layers;
+  }
+
+  // Whether a radar gave an echo when the column was merged; true where that is not known.
+  bool HadEcho(int x, int y) const
+  {
+    return options.echoes == nullptr || *this->EchoesOf(x, y) != 0;
+  }
+
+  std::uint8_t* EchoesOf(int x, int y) const
+  {
+    return options.echoes + static_cast<std::size_t>(y) * static_cast<std::size_t>(options.width) +
+           static_cast<std::size_t>(x);
+  }
+
+  // Whether the radars that see a column, none of which has an echo there, count in full.
+  bool CountInFull(int place) const
+  {
+    return std::all_of(order.begin(), order.end(),
+      [&](const auto& each)
+      { return surroundings[each.second][static_cast<std::size_t>(place)].inFull; });
   }
 
   // What is known of the columns before their tilts are looked up.
   void SurveyColumns(
     std::size_t number, const ColumnDirection* directions, int x, int y, int begin, int end)
   {
-    const MergeSite& site = sites[number];
+    const MergeSite& site = *sites[number].site;
     for (int i = begin; i < end; ++i)
     {
       Surroundings& about = surroundings[number][static_cast<std::size_t>(i)];
@@ -186,6 +288,7 @@ private:
       }
       TiltSample* to = samples[number].data() + static_cast<std::size_t>(i) * site.tilts.size();
       this->FindQuietTilts(site, directions[i], about, to);
+      echoes[static_cast<std::size_t>(i)] = echoes[static_cast<std::size_t>(i)] || !about.quiet;
     }
   }
 
@@ -197,18 +300,21 @@ private:
   {
     const QuietZones::Tilt* known = about.known;
     about.quiet = false;
-    if (known == nullptr || about.top >= site.lowestQuiet || about.layers)
+    if (known == nullptr || Holds(site, about))
     {
       return;
     }
     about.firstTilt = about.endTilt = 0;
+    about.inFull = true;
     for (std::size_t tilt = 0; tilt < site.tilts.size(); ++tilt)
     {
-      bool none = known[tilt] == QuietZones::Tilt::NoEcho;
+      bool none = HasNoEcho(known[tilt]);
+      about.inFull = about.inFull && known[tilt] != QuietZones::Tilt::AgingNoEcho;
       if (known[tilt] == QuietZones::Tilt::Unknown)
       {
         to[tilt] = this->SampleColumn(site, tilt, direction, about);
-        none = to[tilt].state == VoxelState::NoEcho && to[tilt].fade == 1.0F;
+        none = to[tilt].state == VoxelState::NoEcho && to[tilt].fade >= LeastFade;
+        about.inFull = about.inFull && (!none || to[tilt].fade == 1.0F);
         if (!none && to[tilt].state != VoxelState::NotScanned)
         {
           return;
@@ -224,7 +330,7 @@ private:
     about.quiet = true;
     const auto sample = [&](std::size_t tilt)
     {
-      if (known[tilt] == QuietZones::Tilt::NoEcho)
+      if (HasNoEcho(known[tilt]))
       {
         to[tilt] = this->SampleColumn(site, tilt, direction, about);
       }
@@ -258,46 +364,81 @@ private:
     return known ? *known : SampleTilt(site.tilts, tilt, direction, site.context, motion, true);
   }
 
-  void MergeColumn(int x, int y, int place)
+  void MergeColumn(int x, int y, int place, float fill)
   {
-    column.Clear();
+    const bool echo = this->AddRadars(x, y, place);
+    anyEcho = anyEcho || echo;
+    if (options.echoes != nullptr && echo)
+    {
+      *this->EchoesOf(x, y) = column.HasEcho() ? 1 : 0;
+    }
+    column.Finish(fill);
+    if (options.fillColumns)
+    {
+      column.FillColumn();
+    }
+    this->Keep(place);
+  }
+
+  // Finds the radars that see a column. False when all of them know that it has no echo.
+  bool FindOrder(int x, int y, int place)
+  {
     order.clear();
     bool echo = false;
     for (const Present& each : present)
     {
       if (place >= each.begin && place < each.end)
       {
-        const MergeSite& site = sites[each.site];
-        const SiteGeometry& geometry = *site.geometry;
-        const float halfTangent = geometry.Row(y)[x - geometry.BeginX()].halfTangent;
-        if (halfTangent <= site.reach)
+        const float halfTangent = this->DirectionAt(each.site, x, y).halfTangent;
+        if (halfTangent <= sites[each.site].site->reach)
         {
           order.push_back({halfTangent, each.site});
           echo = echo || !surroundings[each.site][static_cast<std::size_t>(place)].quiet;
         }
       }
     }
+    return echo;
+  }
+
+  const ColumnDirection& DirectionAt(std::size_t number, int x, int y) const
+  {
+    const SiteGeometry& geometry = *sites[number].geometry;
+    return geometry.Row(y)[x - geometry.BeginX()];
+  }
+
+  // A radar over a column; `weighs`: as much as it counts beside others.
+  SiteColumn SeenBy(std::size_t number, float halfTangent, int x, int y, int place, bool weighs)
+  {
+    const MergeSite& site = *sites[number].site;
+    const Surroundings& about = surroundings[number][static_cast<std::size_t>(place)];
+    SiteColumn seen;
+    seen.site = site.number;
+    seen.halfTangent = halfTangent;
+    seen.weight = weighs && !compares ? this->WeightAt(site, halfTangent) : 1.0F;
+    seen.levels = &site.levels;
+    seen.edges = &site.edges;
+    seen.samples = samples[number].data() + static_cast<std::size_t>(place) * site.tilts.size();
+    // Formulas G12: what layers of echo change over the column.
+    const ColumnMotion* motion = options.motion != nullptr ? &about.motion : nullptr;
+    const bool layered =
+      about.layers && site.layers.Find(this->DirectionAt(number, x, y), motion, layers);
+    seen.layers = layered ? layers.data() : nullptr;
+    return seen;
+  }
+
+  // Adds what the radars say of a column. False when all of them know that it has no echo.
+  bool AddRadars(int x, int y, int place)
+  {
+    column.Clear();
+    const bool echo = this->FindOrder(x, y, place);
     if (echo) // else it decides nothing in what order and how much they count
     {
       std::sort(order.begin(), order.end());
     }
     for (const auto& [halfTangent, number] : order)
     {
-      const MergeSite& site = sites[number];
       const Surroundings& about = surroundings[number][static_cast<std::size_t>(place)];
-      SiteColumn seen;
-      seen.site = site.number;
-      seen.halfTangent = halfTangent;
-      seen.weight = echo ? this->WeightAt(site, halfTangent) : 1.0F;
-      seen.levels = &site.levels;
-      seen.edges = &site.edges;
-      seen.samples = samples[number].data() + static_cast<std::size_t>(place) * site.tilts.size();
-      // Formulas G12: what layers of echo change over the column.
-      const ColumnMotion* motion = options.motion != nullptr ? &about.motion : nullptr;
-      const bool layered =
-        about.layers &&
-        site.layers.Find(site.geometry->Row(y)[x - site.geometry->BeginX()], motion, layers);
-      seen.layers = layered ? layers.data() : nullptr;
+      const SiteColumn seen = this->SeenBy(number, halfTangent, x, y, place, echo);
       if (about.quiet)
       {
         column.AddQuiet(seen, about.firstTilt, about.endTilt);
@@ -307,13 +448,7 @@ private:
         column.Add(seen);
       }
     }
-    anyEcho = anyEcho || echo;
-    column.Finish(volume.fill);
-    if (options.fillColumns)
-    {
-      column.FillColumn();
-    }
-    this->Keep(place);
+    return echo;
   }
 
   // Formulas W4, the part of the distance along the ground; the heights' part is in the levels.
@@ -341,7 +476,7 @@ private:
     }
   }
 
-  void Write(int x, int y, int count) const
+  void Write(int x, int y, int count, GriddedVolume& volume) const
   {
     const VoxelBlock& block = options.block;
     const auto width = static_cast<std::size_t>(block.Size(0));
@@ -369,9 +504,8 @@ private:
     }
   }
 
-  const std::vector<MergeSite>& sites;
+  const std::vector<SiteOnBlock>& sites;
   const RowOptions& options;
-  GriddedVolume& volume;
   const std::size_t levels;
   const bool ancillary;
   BeamColumn column;
@@ -384,26 +518,71 @@ private:
   std::vector<std::vector<TiltSample>> samples; // of each site seen: tilts within columns
   std::vector<std::array<Surroundings, stripWidth>> surroundings; // of each site
   std::vector<Present> present;
-  bool anyEcho = false;                             // there may be some in the strip
+  bool compares = false;
+  std::array<bool, stripWidth> echoes{}; // columns of which a radar does not know that it has none
+  bool anyEcho = false;                  // there may be some in the strip
   std::vector<std::pair<float, std::size_t>> order; // distance and site
   std::vector<EchoLayers::Changes> layers;          // of the site that is added, by gap
 };
 
 } // namespace
 
-void MergeRows(const std::vector<MergeSite>& sites, const RowOptions& options, int beginRow,
+void MergeRows(const std::vector<SiteOnBlock>& sites, const RowOptions& options, int beginRow,
   int endRow, GriddedVolume& volume)
 {
-  StripMerger merger(sites, options, volume);
+  StripMerger merger(sites, options, !volume.ancillary.age.empty());
   const int end = options.block.end[0];
   // Rows within strips: what the sweeps have about a strip is still in the cache for the next row.
   for (int x = options.block.begin[0]; x < end; x += stripWidth)
   {
     for (int y = beginRow; y < endRow; ++y)
     {
-      merger.Merge(x, y, std::min(stripWidth, end - x));
+      merger.Merge(x, y, std::min(stripWidth, end - x), volume);
     }
   }
+}
+
+void MergeColumns(const std::vector<SiteOnBlock>& sites, const RowOptions& options,
+  const std::vector<std::uint8_t>& wanted, GriddedVolume& volume)
+{
+  StripMerger merger(sites, options, !volume.ancillary.age.empty());
+  const VoxelBlock& block = options.block;
+  const std::uint8_t* row = wanted.data();
+  for (int y = block.begin[1]; y < block.end[1]; ++y, row += block.Size(0))
+  {
+    for (int begin = 0; begin < block.Size(0);)
+    {
+      const std::uint8_t* const last = row + std::min(begin + stripWidth, block.Size(0));
+      const auto end = static_cast<int>(std::find(row + begin, last, std::uint8_t(0)) - row);
+      if (begin < end)
+      {
+        merger.Merge(block.begin[0] + begin, y, end - begin, volume);
+      }
+      begin = std::max(end, begin + 1);
+    }
+  }
+}
+
+std::vector<std::uint8_t> FindDifferences(const std::vector<SiteOnBlock>& before,
+  const std::vector<SiteOnBlock>& after, const RowOptions& options, bool ancillary)
+{
+  StripMerger merger(before, options, ancillary);
+  StripMerger others(after, options, ancillary);
+  merger.BeginToCompare();
+  others.BeginToCompare();
+  const VoxelBlock& block = options.block;
+  const auto width = static_cast<std::size_t>(block.Size(0));
+  std::vector<std::uint8_t> marks(width * static_cast<std::size_t>(block.Size(1)));
+  std::uint8_t* row = marks.data();
+  for (int y = block.begin[1]; y < block.end[1]; ++y, row += width)
+  {
+    for (int x = 0; x < block.Size(0); x += stripWidth)
+    {
+      const int count = std::min(stripWidth, block.Size(0) - x);
+      merger.Compare(others, block.begin[0] + x, y, count, row + x);
+    }
+  }
+  return marks;
 }
 
 } // namespace nexrad

@@ -23,7 +23,7 @@ struct MergeSite
 {
   int number = 0; ///< among the radars of the merge, by which ancillary arrays name it
   Position position;
-  const SiteGeometry* geometry = nullptr; ///< over the block
+  std::vector<const BeamVolume*> volumes; ///< from which the rest is made
   SiteLevels levels;
   std::vector<BeamTilt> tilts;  ///< never empty
   std::vector<TiltEdges> edges; ///< of the tilts
@@ -38,6 +38,13 @@ struct MergeSite
   EchoMask mask;                            ///< where echo is, or may move from or to
 };
 
+/// A radar of a merge over the block that is made.
+struct SiteOnBlock
+{
+  const MergeSite* site;
+  const SiteGeometry* geometry;
+};
+
 /// What is done with the radars.
 struct RowOptions
 {
@@ -48,13 +55,29 @@ struct RowOptions
   bool fillColumns = false;
   bool trend = true;                   ///< BeamMergeOptions
   const MotionField* motion = nullptr; ///< over the grid; without, linear in time
+  /// Of each column of the grid, x fastest, takes whether a radar gives an echo to any of its
+  /// voxels; nullptr: nobody asks.
+  std::uint8_t* echoes = nullptr;
+  int width = 0; ///< columns of the grid along x
 };
 
 /// Merges the rows [beginRow, endRow) of a grid that the block has: its columns (x, y) for these y.
 /// `volume` has its fill value and arrays of the block's size, of which every value of these rows
 /// is set; its ancillary arrays are made when they have their size. Ranges of rows write apart from
 /// each other and can be run side by side. A voxel's value does not depend on the block.
-void MergeRows(const std::vector<MergeSite>& sites, const RowOptions& options, int beginRow,
+void MergeRows(const std::vector<SiteOnBlock>& sites, const RowOptions& options, int beginRow,
   int endRow, GriddedVolume& volume);
+
+/// The same of the columns that `wanted` marks: it has a value for each column of the block, x
+/// fastest. The others stay as they are.
+void MergeColumns(const std::vector<SiteOnBlock>& sites, const RowOptions& options,
+  const std::vector<std::uint8_t>& wanted, GriddedVolume& volume);
+
+/// Marks the columns of the block, x fastest, whose voxels change when `before` become `after`, by
+/// what these radars see at the same time: not 0. RowOptions::echoes is that of the merge with
+/// those before: where no radar gives an echo, it does not matter how much those count that have
+/// none.
+std::vector<std::uint8_t> FindDifferences(const std::vector<SiteOnBlock>& before,
+  const std::vector<SiteOnBlock>& after, const RowOptions& options, bool ancillary);
 
 } // namespace nexrad

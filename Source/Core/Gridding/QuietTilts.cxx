@@ -34,11 +34,12 @@ float LastTangent(const BeamSweep& sweep, const SamplingContext& context)
   return TangentAt(sweep, sweep.Reach(), context);
 }
 
-// Whether all rays are near enough in time.
-bool CountsInFull(const TiltObservation& observation, const SamplingContext& context)
+// Whether all rays are so near in time.
+bool CountsAsMuch(
+  const TiltObservation& observation, const SamplingContext& context, float leastFade)
 {
-  return FadeOf(-observation.Begin(), context.gap) >= 1.0F &&
-         FadeOf(observation.End(), context.gap) >= 1.0F;
+  return FadeOf(-observation.Begin(), context.gap) >= leastFade &&
+         FadeOf(observation.End(), context.gap) >= leastFade;
 }
 
 // tan(γ/2) at which a sweep passes the height up to which weather reaches: t of
@@ -100,6 +101,7 @@ struct TiltLimits
   QuietTilt quiet;
   std::vector<ObservationLimits> observations;
   bool inFull = true; // all of them count in full
+  bool count = true;  // all of them count
 
   TiltLimits(const BeamTilt& tilt, const QuietTilt& theQuiet, const SamplingContext& context)
     : quiet(theQuiet)
@@ -109,7 +111,8 @@ struct TiltLimits
       for (const TiltObservation& observation : *side)
       {
         observations.emplace_back(observation, context);
-        inFull = inFull && CountsInFull(observation, context);
+        inFull = inFull && CountsAsMuch(observation, context, 1.0F);
+        count = count && CountsAsMuch(observation, context, LeastFade);
       }
     }
   }
@@ -118,10 +121,14 @@ struct TiltLimits
   {
     const auto covers = [t](const ObservationLimits& each) { return each.Covers(t); };
     const auto isBeyond = [t](const ObservationLimits& each) { return each.IsBeyond(t); };
-    if ((inFull && std::any_of(observations.begin(), observations.end(), covers)) ||
-        SampleQuiet(quiet, {0.0F, t}, context))
+    const bool covered = count && std::any_of(observations.begin(), observations.end(), covers);
+    if ((covered && inFull) || SampleQuiet(quiet, {0.0F, t}, context))
     {
       return QuietZones::Tilt::NoEcho;
+    }
+    if (covered)
+    {
+      return QuietZones::Tilt::AgingNoEcho;
     }
     return std::all_of(observations.begin(), observations.end(), isBeyond)
              ? QuietZones::Tilt::NotScanned
@@ -170,8 +177,8 @@ QuietTilt FindQuiet(const BeamTilt& tilt, const SamplingContext& context)
   const bool hasAfter = !tilt.after.empty();
   const TiltObservation& before = (hasBefore ? tilt.before : tilt.after).front();
   const TiltObservation& after = (hasAfter ? tilt.after : tilt.before).front();
-  if (!before.IsWhole(!hasBefore) || !after.IsWhole(hasAfter) || !CountsInFull(before, context) ||
-      !CountsInFull(after, context))
+  if (!before.IsWhole(!hasBefore) || !after.IsWhole(hasAfter) ||
+      !CountsAsMuch(before, context, 1.0F) || !CountsAsMuch(after, context, 1.0F))
   {
     return quiet;
   }

@@ -32,6 +32,9 @@ QuietTilt FindQuiet(const BeamTilt& tilt, const SamplingContext& context);
 std::optional<TiltSample> SampleQuiet(
   const QuietTilt& quiet, const ColumnDirection& column, const SamplingContext& context);
 
+/// How much an observation must count, at least, that it does is more than rounding.
+constexpr float LeastFade = 1e-4F;
+
 /// What the tilts of a radar have over columns about which no gate holds anything but no echo, as
 /// far as the distance alone tells. Most columns of a large grid are such: their tilts are not
 /// looked up one by one.
@@ -40,9 +43,10 @@ class QuietZones
 public:
   enum class Tilt : std::uint8_t
   {
-    Unknown,   ///< must be sampled
-    NoEcho,    ///< its sample is no echo and counts in full
-    NotScanned ///< beyond all gates, and below the height up to which weather reaches
+    Unknown,     ///< must be sampled
+    NoEcho,      ///< its sample is no echo and counts in full
+    AgingNoEcho, ///< its sample is no echo and counts, but less where its age is larger
+    NotScanned   ///< beyond all gates, and below the height up to which weather reaches
   };
 
   /// One zone in which all tilts are unknown.

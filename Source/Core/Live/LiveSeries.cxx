@@ -336,10 +336,15 @@ std::optional<GriddedVolume> LiveSeries::Merge(
   return MergeMoments(volumes, options.moments, request, progress, run, std::move(memory));
 }
 
-bool LiveSeries::MergeInBands(Time time, int rows, const TakeBand& take, const Progress& progress)
+PlannedMerge LiveSeries::Plan(Time time)
 {
   const std::vector<ReadyVolume> volumes = this->VolumesFor(time);
-  return MergeBands(volumes, options.moments, request, rows, take, progress, run);
+  return {volumes, options.moments, request, run};
+}
+
+PlannedMerge LiveSeries::PlanAgain(const PlannedMerge& before)
+{
+  return {before, this->VolumesFor(before.At())};
 }
 
 void AwaitedEnds::Keep(ScannedFile& file)

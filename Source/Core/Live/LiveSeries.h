@@ -81,8 +81,10 @@ public:
   /// when `progress` asked to stop.
   std::optional<GriddedVolume> Merge(
     Time time, const Progress& progress = {}, GriddedVolume memory = {});
-  /// The same in bands of rows (MergeBands). False when `progress` asked to stop.
-  bool MergeInBands(Time time, int rows, const TakeBand& take, const Progress& progress = {});
+  /// The same merge, to be made in parts. It serves as long as the domain stays.
+  PlannedMerge Plan(Time time);
+  /// What has become of a merge by the volumes that arrived since it was planned.
+  PlannedMerge PlanAgain(const PlannedMerge& before);
 
 private:
   struct Volume

@@ -496,8 +496,8 @@ bool SeriesMerger::MergeInBands(Time time, int rows, const TakeBand& take, const
 {
   constexpr double decoding = 0.5; // of the work
   const auto volumes = this->VolumesOf(time, block, ShareOf(progress, 0.0, decoding));
-  return volumes && MergeBands(*volumes, options.moments, request, rows, take,
-                      ShareOf(progress, decoding, 1.0), run);
+  return volumes && PlannedMerge(*volumes, options.moments, request, run)
+                      .MergeBands(rows, take, ShareOf(progress, decoding, 1.0));
 }
 
 bool SeriesMerger::MergeEachRadar(

@@ -119,7 +119,7 @@ public:
   std::optional<GriddedVolume> Merge(Time time, const Progress& progress = {},
     const std::optional<VoxelBlock>& block = {}, GriddedVolume memory = {});
 
-  /// The same as Merge gives, in bands of rows (MergeBands). False when `progress` asked to stop.
+  /// The same as Merge gives, in bands of rows (PlannedMerge). False when `progress` asked to stop.
   /// Throws Error as Merge does.
   bool MergeInBands(Time time, int rows, const TakeBand& take, const Progress& progress = {},
     const std::optional<VoxelBlock>& block = {});

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <set>
 
 namespace nexrad
 {
@@ -58,7 +59,7 @@ bool AreSame(const BeamMergeOptions& a, const BeamMergeOptions& b)
   return sameInCode && AreSame(MergeSettings(), settings, others);
 }
 
-std::vector<ReadyVolume> OfMoment(const std::vector<ReadyVolume>& volumes, MomentName moment)
+std::vector<ReadyVolume> VolumesOf(const std::vector<ReadyVolume>& volumes, MomentName moment)
 {
   std::vector<ReadyVolume> own;
   std::copy_if(volumes.begin(), volumes.end(), std::back_inserter(own),
@@ -98,26 +99,31 @@ std::optional<GriddedVolume> MergeEachMoment(
   return JoinMoments(std::move(merged));
 }
 
-// What merges of one moment at one time have in common, whatever the block.
-struct PlannedMoment
+// The cells of `size` columns along x and y of a tile.
+class Cells
 {
-  std::shared_ptr<const MotionField> motion; // of the plan
-  BeamMergePlan plan;
-};
-
-std::vector<PlannedMoment> PlanMoments(const std::vector<ReadyVolume>& volumes,
-  const std::vector<MomentName>& moments, const MergeRequest& request, MergeRun& run)
-{
-  std::vector<PlannedMoment> planned;
-  for (const MomentName moment : moments)
+public:
+  Cells(const VoxelBlock& tile, int theSize)
+    : width(static_cast<std::size_t>(tile.Size(0)))
+    , size(static_cast<std::size_t>(theSize))
+    , across((width - 1) / size + 1)
+    , count(across * ((static_cast<std::size_t>(tile.Size(1)) - 1) / size + 1))
   {
-    const BeamVolumes ready = BeamVolumesOf(OfMoment(volumes, moment));
-    BeamMerger& merger = run.MergerFor(request);
-    const auto motion = run.MotionFor(ready, request);
-    planned.push_back({motion, merger.Plan(ready, request.time, motion.get(), request.loop)});
   }
-  return planned;
-}
+
+  std::size_t Count() const { return count; }
+  // The one in which a column stands.
+  std::size_t Of(std::size_t column) const
+  {
+    return column / width / size * across + column % width / size;
+  }
+
+private:
+  std::size_t width;
+  std::size_t size;
+  std::size_t across;
+  std::size_t count;
+};
 
 } // namespace
 
@@ -221,27 +227,66 @@ std::optional<GriddedVolume> MergeMoments(const std::vector<ReadyVolume>& volume
   return MergeEachMoment(moments, std::move(memory),
     [&](std::size_t i, GriddedVolume own)
     {
-      return MergeVolumes(OfMoment(volumes, moments[i]), request,
+      return MergeVolumes(VolumesOf(volumes, moments[i]), request,
         ShareOf(progress, i, moments.size()), run, std::move(own));
     });
 }
 
-bool MergeBands(const std::vector<ReadyVolume>& volumes, const std::vector<MomentName>& moments,
-  MergeRequest request, int rows, const TakeBand& take, const Progress& progress, MergeRun& run)
+PlannedMerge::PlannedMerge(const std::vector<ReadyVolume>& volumes,
+  const std::vector<MomentName>& theMoments, const MergeRequest& theRequest, MergeRun& theRun)
+  : ready(volumes)
+  , moments(theMoments)
+  , request(theRequest)
+  , run(&theRun)
 {
-  std::vector<PlannedMoment> planned = PlanMoments(volumes, moments, request, run);
+  for (const MomentName moment : moments)
+  {
+    const BeamVolumes own = BeamVolumesOf(VolumesOf(ready, moment));
+    BeamMerger& merger = run->MergerFor(request);
+    const auto motion = run->MotionFor(own, request);
+    planned.push_back({motion, merger.Plan(own, request.time, motion.get(), request.loop)});
+  }
+}
+
+PlannedMerge::PlannedMerge(const PlannedMerge& before, const std::vector<ReadyVolume>& volumes)
+  : ready(volumes)
+  , moments(before.moments)
+  , request(before.request)
+  , run(before.run)
+{
+  for (std::size_t i = 0; i < moments.size(); ++i)
+  {
+    const BeamVolumes own = BeamVolumesOf(VolumesOf(ready, moments[i]));
+    const OfMoment& other = before.planned[i];
+    planned.push_back(
+      {other.motion, run->MergerFor(request).PlanAgain(other.plan, own, request.loop)});
+  }
+}
+
+void PlannedMerge::NoteEchoes()
+{
+  const auto& [x, y, z] = request.grid.dimensions;
+  for (OfMoment& each : planned)
+  {
+    each.plan.echoes.assign(static_cast<std::size_t>(x) * static_cast<std::size_t>(y), 1);
+  }
+}
+
+bool PlannedMerge::MergeBands(int rows, const TakeBand& take, const Progress& progress)
+{
   const VoxelBlock all = request.block.value_or(VoxelBlock::Of(request.grid));
+  MergeRequest part = request;
   GriddedVolume memory;
   for (int row = all.begin[1]; row < all.end[1]; row += rows)
   {
     VoxelBlock band = all;
     band.begin[1] = row;
     band.end[1] = std::min(row + rows, all.end[1]);
-    request.block = band;
-    BeamMerger& merger = run.MergerFor(request);
+    part.block = band;
+    BeamMerger& merger = run->MergerFor(part);
     std::optional<GriddedVolume> merged = MergeEachMoment(moments, std::move(memory),
       [&](std::size_t i, GriddedVolume own)
-      { return merger.Merge(planned[i].plan, request.loop, {}, std::move(own)); });
+      { return merger.Merge(planned[i].plan, part.loop, {}, std::move(own)); });
     memory = take(std::move(merged.value()));
     const int made = band.end[1] - all.begin[1];
     if (progress && !progress(static_cast<double>(made) / all.Size(1)))
@@ -250,6 +295,77 @@ bool MergeBands(const std::vector<ReadyVolume>& volumes, const std::vector<Momen
     }
   }
   return true;
+}
+
+bool PlannedMerge::KeepsVoxelsOf(const PlannedMerge& before) const
+{
+  const auto radarsOf = [](const PlannedMerge& plan)
+  {
+    std::set<std::pair<MomentName, SiteKey>> radars;
+    for (const ReadyVolume& volume : plan.ready)
+    {
+      radars.emplace(volume.Moment(), KeyOf(volume.beam->site));
+    }
+    return radars;
+  };
+  return !request.beam.ancillary || radarsOf(*this) == radarsOf(before);
+}
+
+std::vector<VoxelBlock> PlannedMerge::FindTiles(const PlannedMerge& before, int size) const
+{
+  std::vector<VoxelBlock> tiles;
+  for (std::size_t i = 0; i < planned.size(); ++i)
+  {
+    for (const VoxelBlock& tile :
+      run->MergerFor(request).FindTiles(before.planned[i].plan, planned[i].plan, size))
+    {
+      if (std::find(tiles.begin(), tiles.end(), tile) == tiles.end())
+      {
+        tiles.push_back(tile);
+      }
+    }
+  }
+  return tiles;
+}
+
+std::optional<ChangedTile> PlannedMerge::MergeTile(
+  const PlannedMerge& before, const VoxelBlock& tile, int cell)
+{
+  const BeamMerger& merger = run->Merger();
+  const Cells cells(tile, cell);
+  ChangedTile made{tile, {}, std::vector<std::uint8_t>(cells.Count())};
+  std::vector<std::uint8_t> columns;
+  for (std::size_t i = 0; i < planned.size(); ++i)
+  {
+    columns = merger.FindChanges(before.planned[i].plan, planned[i].plan, tile);
+    for (std::size_t column = 0; column < columns.size(); ++column)
+    {
+      std::uint8_t& changed = made.changed[cells.Of(column)];
+      changed = columns[column] != 0 ? 1 : changed;
+    }
+  }
+  if (std::find(made.changed.begin(), made.changed.end(), 1) == made.changed.end())
+  {
+    return std::nullopt;
+  }
+  for (std::size_t column = 0; column < columns.size(); ++column)
+  {
+    columns[column] = made.changed[cells.Of(column)];
+  }
+  std::optional<GriddedVolume> merged = MergeEachMoment(moments, {},
+    [&](std::size_t i, const GriddedVolume&)
+    { return std::optional(merger.MergeColumnsOf(planned[i].plan, tile, columns)); });
+  made.volume = std::move(merged.value());
+  return made;
+}
+
+GriddedVolume PlannedMerge::Describe() const
+{
+  const BeamMerger& merger = run->Merger();
+  return MergeEachMoment(moments, {},
+    [&](std::size_t i, const GriddedVolume&)
+    { return std::optional(merger.Describe(planned[i].plan)); })
+    .value();
 }
 
 } // namespace nexrad

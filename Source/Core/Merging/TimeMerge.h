@@ -59,6 +59,8 @@ class MergeRun
 public:
   /// The merger for the request's grid and options: the one before, when they are the same.
   BeamMerger& MergerFor(const MergeRequest& request);
+  /// The last one of these.
+  const BeamMerger& Merger() const { return *merger; }
 
   /// The motion along which the request asks to interpolate between volumes that are ready; nullptr
   /// for none.
@@ -86,10 +88,56 @@ std::optional<GriddedVolume> MergeMoments(const std::vector<ReadyVolume>& volume
 /// those of the next rows.
 using TakeBand = std::function<GriddedVolume(GriddedVolume band)>;
 
-/// The same by the method beam in bands of `rows` rows of the request's block, or of the grid, from
-/// the first row to the last, so that nobody needs to hold the whole volume. False when `progress`
-/// asked to stop.
-bool MergeBands(const std::vector<ReadyVolume>& volumes, const std::vector<MomentName>& moments,
-  MergeRequest request, int rows, const TakeBand& take, const Progress& progress, MergeRun& run);
+/// What merges of all moments at one time have in common, whatever part of the grid is made, by the
+/// method beam.
+class PlannedMerge
+{
+public:
+  /// Of volumes that were chosen and made ready as for MergeMoments. The run is that of all merges
+  /// of the grid, and must outlive the plan.
+  PlannedMerge(const std::vector<ReadyVolume>& volumes, const std::vector<MomentName>& moments,
+    const MergeRequest& request, MergeRun& run);
+  /// Of other volumes, at the time of another plan and along the motion that was found for it.
+  /// Radars whose volumes are the same are taken from there.
+  PlannedMerge(const PlannedMerge& before, const std::vector<ReadyVolume>& volumes);
+
+  /// Has merges note which columns have echo, by which fewer are merged when a radar changes: a
+  /// byte of memory for each column of the grid and moment. Before the first merge.
+  void NoteEchoes();
+
+  /// Merges the request's block, or the grid, in bands of `rows` rows, from the first row to the
+  /// last, so that nobody needs to hold the whole volume. False when `progress` asked to stop.
+  bool MergeBands(int rows, const TakeBand& take, const Progress& progress);
+
+  Time At() const { return request.time; }
+  const GridSpecification& Grid() const { return request.grid; }
+  /// Whether voxels that no changed volume reaches are those of the plan of which this one was
+  /// made. Ancillary arrays number the radars: with them these must be the same.
+  bool KeepsVoxelsOf(const PlannedMerge& before) const;
+
+  /// The tiles of `size` columns along x and y in which the merge may differ from that of the plan
+  /// of which this one was made.
+  std::vector<VoxelBlock> FindTiles(const PlannedMerge& before, int size) const;
+  /// What differs in one of them, in whole cells of `cell` columns along x and y; nothing where
+  /// nothing does. All tiles must be merged before this plan is that before another one. Several
+  /// threads may ask at a time for different tiles.
+  std::optional<ChangedTile> MergeTile(
+    const PlannedMerge& before, const VoxelBlock& tile, int cell);
+  /// What the merged volume says of itself, without voxels.
+  GriddedVolume Describe() const;
+
+private:
+  struct OfMoment
+  {
+    std::shared_ptr<const MotionField> motion; ///< of the plan
+    BeamMergePlan plan;
+  };
+
+  std::vector<ReadyVolume> ready;
+  std::vector<MomentName> moments;
+  MergeRequest request;
+  MergeRun* run;
+  std::vector<OfMoment> planned; ///< for each moment
+};
 
 } // namespace nexrad

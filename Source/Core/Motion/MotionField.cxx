@@ -105,6 +105,32 @@ double MotionField::FastestSpeed() const
   return fastest;
 }
 
+double MotionField::FastestSpeedIn(const VoxelBlock& block) const
+{
+  std::array<std::size_t, 2> first{};
+  std::array<std::size_t, 2> last{};
+  for (std::size_t axis = 0; axis < 2; ++axis)
+  {
+    const auto node = [&](double place)
+    {
+      return static_cast<std::size_t>(
+        std::clamp(place, 0.0, static_cast<double>(lattice.nodes[axis] - 1)));
+    };
+    first[axis] = node(std::floor(block.begin[axis] / lattice.step[axis]));
+    last[axis] = node(std::ceil((block.end[axis] - 1) / lattice.step[axis]));
+  }
+  double fastest = 0.0;
+  for (std::size_t y = first[1]; y <= last[1]; ++y)
+  {
+    for (std::size_t x = first[0]; x <= last[0]; ++x)
+    {
+      const Velocity& velocity = velocities[y * static_cast<std::size_t>(lattice.nodes[0]) + x];
+      fastest = std::max(fastest, std::hypot(velocity.east, velocity.north));
+    }
+  }
+  return fastest;
+}
+
 bool MotionField::Covers(const GridSpecification& grid) const
 {
   if (velocities.size() != lattice.NodeCount())

@@ -64,6 +64,8 @@ struct MotionField
 
   /// m/s, of the fastest node.
   double FastestSpeed() const;
+  /// The same of the nodes about the columns of a block: nothing moves faster there.
+  double FastestSpeedIn(const VoxelBlock& block) const;
   /// True when it reaches over the columns and rows of a grid: a constant one over any, another
   /// when its last nodes stand at the last voxels.
   bool Covers(const GridSpecification& grid) const;

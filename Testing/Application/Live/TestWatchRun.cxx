@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A run of `watch` whose volumes are stored in bricks, and what `grid` makes of the same files.
+#include "Live/NewestBricks.h"
 #include "Live/WatchRun.h"
 #include "Volumes/WriteVolumes.h"
 
@@ -64,4 +65,48 @@ TEST(WatchRun, KeepsLargeVolumesInBricks)
   EXPECT_EQ(report.steps, steps) << "each once, for all files were there from the start";
   EXPECT_NE(
     FileContent(job.output / "newest.nxv").find("\"encoding\":\"bricks\""), std::string::npos);
+}
+
+// The volume ahead of the newest ray takes sweeps up, and has the bytes of one that is merged as a
+// whole; beyond its time, the next one is.
+TEST(NewestBricks, TakeASweepUp)
+{
+  const TemporaryFolder folder;
+  MergeOptions options;
+  options.grid.dimensions = {600, 150, 10}; // a coarser level, too
+  options.grid.range = 150'000.0;
+  options.interpolation = TimeInterpolationMethod::Linear;
+  options.quality.level = QualityLevel::Off;
+  LiveSeries series(options, {});
+  const auto put = [&series](const Site& site, Time time, int sweeps, double value)
+  {
+    const std::string key = site.name + FormatIso8601(time);
+    series.Put({{key, key, VolumeOfSweeps(site, time, sweeps, value), true}});
+  };
+  put(keax, start, 3, 20.0);
+  put(klsx, start, 3, 30.0);
+  series.KeepGrid();
+
+  NewestBricks newest(series, folder.Path() / "newest.nxv", {});
+  const Time ahead = newest.TimeFor(*series.Known().Last(), 5min);
+  EXPECT_GE(ahead - *series.Known().Last(), 1min);
+  EXPECT_EQ(ahead.time_since_epoch() % 1min, 0min);
+  const Time time = start + 9min;
+  const Progress stop = [](double) { return false; };
+  EXPECT_FALSE(newest.Make(time, stop)) << "the first is merged as a whole";
+  ASSERT_TRUE(newest.Make(time, {}));
+  const std::string first = FileContent(folder.Path() / "newest.nxv");
+
+  put(keax, *series.Known().Last() + 1s, 1, 40.0);
+  ASSERT_LT(*series.Known().Last(), time);
+  EXPECT_EQ(newest.TimeFor(*series.Known().Last(), 5min), time);
+  EXPECT_TRUE(newest.Make(time, stop)) << "what changes is merged without a stop";
+  NewestBricks other(series, folder.Path() / "whole.nxv", {});
+  ASSERT_TRUE(other.Make(time, {}));
+  const std::string made = FileContent(folder.Path() / "newest.nxv");
+  EXPECT_TRUE(made == FileContent(folder.Path() / "whole.nxv"));
+  EXPECT_TRUE(made != first);
+
+  EXPECT_GT(newest.TimeFor(time + 1s, 5min), time);
+  EXPECT_LE(newest.TimeFor(time + 1s, 5min), time + 7min);
 }

@@ -92,12 +92,12 @@ public:
   const std::vector<VoxelBlock>& Tiles() const { return tiles; }
 
   // The tile with what another volume has of it, some cells of it marked; the volume takes these.
-  NxvTile Take(const GriddedVolume& other, std::size_t number,
+  ChangedTile Take(const GriddedVolume& other, std::size_t number,
     const std::function<bool(int x, int y)>& changes)
   {
     const int cell = patcher->CellSize();
     const VoxelBlock& block = tiles[number];
-    NxvTile tile{block, TakePart(other, block), {}};
+    ChangedTile tile{block, TakePart(other, block), {}};
     for (int y = block.begin[1]; y < block.end[1]; y += cell)
     {
       for (int x = block.begin[0]; x < block.end[0]; x += cell)
@@ -116,7 +116,7 @@ public:
   void ReplaceSome(const GriddedVolume& other, unsigned seed, const RangeLoop& loop = {})
   {
     std::mt19937 random(seed);
-    std::vector<std::optional<NxvTile>> made(tiles.size());
+    std::vector<std::optional<ChangedTile>> made(tiles.size());
     for (std::size_t i = 0; i < tiles.size(); ++i)
     {
       if (random() % 3 != 0)
@@ -279,7 +279,7 @@ TEST(NxvPatch, TilesMayBeJoined)
   Changing changing(MakeMixedVolume(MomentName::REF, dimensions));
   const GriddedVolume other = MakeMixedVolume(MomentName::REF, dimensions, 1);
   const VoxelBlock block{{448, 64, 0}, {600, 139, 5}};
-  NxvTile tile{block, TakePart(other, block), {}};
+  ChangedTile tile{block, TakePart(other, block), {}};
   tile.changed.assign(std::size_t(152 / 2) * 38, 1);
   for (std::size_t number : {17U, 18U, 19U, 27U, 28U, 29U})
   {
@@ -297,7 +297,7 @@ TEST(NxvPatch, WhatIsNotReplacedStays)
   const std::size_t bytes = changing.Patcher().MemoryBytes();
   EXPECT_GT(bytes, before.size() / 2);
   const GriddedVolume other = MakeTwoMoments({600, 70, 9}, 1);
-  NxvTile unmarked{changing.Tiles()[0], TakePart(other, changing.Tiles()[0]), {}};
+  ChangedTile unmarked{changing.Tiles()[0], TakePart(other, changing.Tiles()[0]), {}};
   unmarked.changed.assign(32 * 32, 0);
   changing.Patcher().Replace(
     2, [&](std::size_t number) { return number == 0 ? std::nullopt : std::optional(unmarked); });
@@ -314,20 +314,20 @@ TEST(NxvPatch, TilesThatDoNotFitAreRefused)
   Changing changing(MakeTwoMoments({600, 139, 5}));
   const std::string before = changing.Patched();
   const GriddedVolume other = MakeTwoMoments({600, 139, 5}, 1);
-  const NxvTile whole = [&]
+  const ChangedTile whole = [&]
   {
-    NxvTile tile{changing.Tiles()[1], TakePart(other, changing.Tiles()[1]), {}};
+    ChangedTile tile{changing.Tiles()[1], TakePart(other, changing.Tiles()[1]), {}};
     tile.changed.assign(32 * 32, 1);
     return tile;
   }();
-  const auto errorOf = [&](const NxvTile& second)
+  const auto errorOf = [&](const ChangedTile& second)
   {
-    const std::vector<NxvTile> tiles = {whole, second};
+    const std::vector<ChangedTile> tiles = {whole, second};
     return MessageOf(
       [&] { changing.Patcher().Replace(2, [&](std::size_t number) { return tiles[number]; }); });
   };
   EXPECT_NE(errorOf(whole).find("must not overlap"), std::string::npos);
-  NxvTile tile = whole;
+  ChangedTile tile = whole;
   tile.block = {{32, 0, 0}, {96, 64, 5}};
   EXPECT_NE(errorOf(tile).find("voxels 32 to 95 along axis 0 are not whole tiles of 64"),
     std::string::npos);
