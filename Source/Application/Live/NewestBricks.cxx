@@ -21,11 +21,12 @@ NewestBricks::NewestBricks(
 Time NewestBricks::TimeFor(Time ray, Duration most) const
 {
   constexpr Duration minute = std::chrono::minutes(1);
-  if (merge && ray <= merge->At() && merge->At() - ray <= most + minute)
+  const Duration farthest = std::max(minute, most);
+  if (merge && ray <= merge->At() && merge->At() - ray <= farthest + minute)
   {
     return merge->At();
   }
-  const Duration ahead = std::max(minute, std::min(4 * wholeTook, most));
+  const Duration ahead = std::clamp(4 * wholeTook, minute, farthest);
   return TimeSteps(ray + ahead, ray + ahead + minute, minute).front();
 }
 

@@ -16,13 +16,13 @@ namespace nexrad::application
 class NewestBricks
 {
 public:
-  /// `series` must outlive the object. Volumes are made of the encoding of `written`.
+  /// `series` must outlive the object. `written` says how the volumes are stored.
   NewestBricks(LiveSeries& series, std::filesystem::path path, const VolumeFiles& written);
 
   /// The time of the volume while a ray is the newest one: that of the volume before as long as the
-  /// ray is not newer, else a full minute, later than the ray by a minute at least. It is later by
-  /// as much as four whole merges take, so that these take a fourth of the time, but by `most` and
-  /// a minute at most.
+  /// ray is not newer. Else the next full minute after the time that four whole merges take, so
+  /// that these take a fourth of the time; that is a minute at least and `most`, or a minute, at
+  /// most.
   Time TimeFor(Time ray, Duration most) const;
 
   /// Brings the file to what the series has for a time. As long as the time and the domain stay,

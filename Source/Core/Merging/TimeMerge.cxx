@@ -234,14 +234,13 @@ std::optional<GriddedVolume> MergeMoments(const std::vector<ReadyVolume>& volume
 
 PlannedMerge::PlannedMerge(const std::vector<ReadyVolume>& volumes,
   const std::vector<MomentName>& theMoments, const MergeRequest& theRequest, MergeRun& theRun)
-  : ready(volumes)
-  , moments(theMoments)
+  : moments(theMoments)
   , request(theRequest)
   , run(&theRun)
 {
   for (const MomentName moment : moments)
   {
-    const BeamVolumes own = BeamVolumesOf(VolumesOf(ready, moment));
+    const BeamVolumes own = BeamVolumesOf(VolumesOf(volumes, moment));
     BeamMerger& merger = run->MergerFor(request);
     const auto motion = run->MotionFor(own, request);
     planned.push_back({motion, merger.Plan(own, request.time, motion.get(), request.loop)});
@@ -249,14 +248,13 @@ PlannedMerge::PlannedMerge(const std::vector<ReadyVolume>& volumes,
 }
 
 PlannedMerge::PlannedMerge(const PlannedMerge& before, const std::vector<ReadyVolume>& volumes)
-  : ready(volumes)
-  , moments(before.moments)
+  : moments(before.moments)
   , request(before.request)
   , run(before.run)
 {
   for (std::size_t i = 0; i < moments.size(); ++i)
   {
-    const BeamVolumes own = BeamVolumesOf(VolumesOf(ready, moments[i]));
+    const BeamVolumes own = BeamVolumesOf(VolumesOf(volumes, moments[i]));
     const OfMoment& other = before.planned[i];
     planned.push_back(
       {other.motion, run->MergerFor(request).PlanAgain(other.plan, own, request.loop)});
@@ -302,9 +300,12 @@ bool PlannedMerge::KeepsVoxelsOf(const PlannedMerge& before) const
   const auto radarsOf = [](const PlannedMerge& plan)
   {
     std::set<std::pair<MomentName, SiteKey>> radars;
-    for (const ReadyVolume& volume : plan.ready)
+    for (const OfMoment& each : plan.planned)
     {
-      radars.emplace(volume.Moment(), KeyOf(volume.beam->site));
+      for (const std::shared_ptr<const BeamVolume>& volume : each.plan.volumes)
+      {
+        radars.emplace(volume->moment, KeyOf(volume->site));
+      }
     }
     return radars;
   };

@@ -133,7 +133,6 @@ private:
     BeamMergePlan plan;
   };
 
-  std::vector<ReadyVolume> ready;
   std::vector<MomentName> moments;
   MergeRequest request;
   MergeRun* run;
