@@ -154,21 +154,46 @@ std::string WhyNotLevel2(const fs::path& path)
   return foreign.empty() ? "not a Level II file" : foreign;
 }
 
+namespace
+{
+
+constexpr std::size_t peekedBytes = 4096; // enough of any stream but bzip2 for a header
+
+// The first bytes, which a volume header and the beginning of a record take, out of the streams
+// round a file that begins so.
+std::vector<std::uint8_t> FirstBytes(std::vector<std::uint8_t> start)
+{
+  std::vector<Damage> ignored; // the stream is cut, of course
+  DecodingBudget budget(
+    4 * VolumeHeader::bytes + DecodingBudget::CompressedByteCost * start.size());
+  return OpenContainer(std::move(start), budget, ignored).bytes;
+}
+
+} // namespace
+
 std::optional<VolumeHeader> PeekVolumeHeader(const fs::path& path)
 {
-  constexpr std::size_t peekedBytes = 4096; // enough of any stream but bzip2 for a header
   const bool isFolder = KindOf(path) == StoredKind::Folder;
   const std::vector<Chunk> chunks = isFolder ? ListChunks(path) : std::vector<Chunk>();
   if (isFolder && chunks.empty())
   {
     return std::nullopt;
   }
-  std::vector<std::uint8_t> start = ReadStart(isFolder ? chunks.front().path : path, peekedBytes);
-  std::vector<Damage> ignored; // the stream is cut, of course
-  DecodingBudget budget(
-    2 * VolumeHeader::bytes + DecodingBudget::CompressedByteCost * start.size());
-  const PlainFile plain = OpenContainer(std::move(start), budget, ignored);
-  return ParseVolumeHeader(ByteView(plain.bytes.data(), plain.bytes.size()));
+  const std::vector<std::uint8_t> first =
+    FirstBytes(ReadStart(isFolder ? chunks.front().path : path, peekedBytes));
+  return ParseVolumeHeader(ByteView(first.data(), first.size()));
+}
+
+bool IsGzipOfMessages(const fs::path& path)
+{
+  std::vector<std::uint8_t> start = ReadStart(path, peekedBytes);
+  if (DetectStream(ByteView(start.data(), start.size())) != StreamFormat::Gzip)
+  {
+    return false;
+  }
+  const std::vector<std::uint8_t> first = FirstBytes(std::move(start));
+  const ByteView bytes(first.data(), first.size());
+  return IsVolumeHeader(bytes, 0) && !IsLdmRecord(bytes, VolumeHeader::bytes);
 }
 
 std::optional<Chunk> ParseChunkName(const fs::path& path)

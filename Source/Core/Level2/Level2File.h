@@ -51,6 +51,10 @@ std::string WhyNotLevel2(const std::filesystem::path& path);
 /// much.
 std::optional<VolumeHeader> PeekVolumeHeader(const std::filesystem::path& path);
 
+/// Whether a file is a gzip stream of messages that are in no records of bzip2: then it is larger
+/// than other files of the archive that hold as much.
+bool IsGzipOfMessages(const std::filesystem::path& path);
+
 /// One file of the real-time feed: "20210729-123848-001-S" starts the volume of that time, "-I"
 /// goes on with it, "-E" ends it.
 struct Chunk

@@ -6,6 +6,7 @@
 #include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/Grid/SiteGeometry.h"
 #include "nexrad/Gridding/BeamMerge.h"
+#include "nexrad/Level2/Level2File.h"
 #include "nexrad/Merging/Store.h"
 #include "nexrad/Model/SiteTable.h"
 #include "nexrad/Settings/ValueTexts.h"
@@ -29,14 +30,17 @@ constexpr std::size_t mebibyte = std::size_t(1) << 20;
 // The program with VTK's libraries and the tables of the decoders.
 constexpr std::size_t programBytes = 80 * mebibyte;
 
-// Bytes for each byte of a file of the archive as it is stored. Documentation/User/6-benchmarks.md
-// compares the sum with what runs took.
+// Bytes for each byte of a file of the archive in records of bzip2.
+// Documentation/User/6-benchmarks.md compares the sum with what runs took.
 constexpr std::size_t decodedBytes = 16;    // of a file while it is decoded, with its polar data
 constexpr std::size_t furtherBytes = 8;     // and of each moment but the first
 constexpr double readyBytes = 5.2;          // of a moment that is ready for merges
 constexpr double mostMeans = 4.9;           // of its means, for voxels twice as wide as most gates
 constexpr double widthOfMostMeans = 500.0;  // m, of these voxels; twice the width halves the means
 constexpr std::size_t leastFile = mebibyte; // smaller files stand for the start of larger ones
+
+// How many times as large a file of messages in gzip is: of 30 of the archive 1.10 to 1.48.
+constexpr double sizeInGzip = 1.2;
 
 // Volumes of a radar that a time takes, and one of the time before.
 constexpr std::size_t volumesOfARadar = 4;
@@ -180,13 +184,13 @@ std::size_t BytesOfAVoxel(const MergeOptions& options)
 
 InputSizes SizesOf(const std::vector<fs::path>& paths, std::size_t radars)
 {
-  std::vector<std::size_t> sizes;
+  std::vector<std::pair<std::size_t, const fs::path*>> sizes;
   for (const fs::path& path : paths)
   {
     const std::uintmax_t size = StoredSize(path);
     if (size > 0) // 0: of folders
     {
-      sizes.push_back(static_cast<std::size_t>(size));
+      sizes.emplace_back(static_cast<std::size_t>(size), &path);
     }
   }
   InputSizes inputs;
@@ -196,7 +200,10 @@ InputSizes SizesOf(const std::vector<fs::path>& paths, std::size_t radars)
   {
     const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
     std::nth_element(sizes.begin(), middle, sizes.end());
-    inputs.fileBytes = std::min(*middle, Level2Options().maximumFileBytes);
+    const double inGzip = IsGzipOfMessages(*middle->second) ? sizeInGzip : 1.0;
+    inputs.fileBytes =
+      std::min(static_cast<std::size_t>(static_cast<double>(middle->first) / inGzip),
+        Level2Options().maximumFileBytes);
   }
   return inputs;
 }

@@ -46,10 +46,11 @@ struct InputSizes
 {
   std::size_t radars = 1; ///< or fewer than there are, where headers do not tell
   std::size_t files = 1;
-  std::size_t fileBytes = 0; ///< of the file in the middle, by size, as it is stored
+  std::size_t fileBytes = 0; ///< of the file in the middle, by size, as in records of bzip2
 };
 
-/// The sizes of files; a chunk folder counts as no file. Reads directories alone.
+/// The sizes of files; a chunk folder counts as no file. Reads directories, and the start of one
+/// file.
 InputSizes SizesOf(const std::vector<std::filesystem::path>& paths, std::size_t radars);
 
 /// Where the radars stand that headers name; empty where the site table lacks one, or there are no

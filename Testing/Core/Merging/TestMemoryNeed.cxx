@@ -2,6 +2,8 @@
 #include "nexrad/Merging/MemoryNeed.h"
 
 #include "ErrorMessage.h"
+#include "Feed/TarMaker.h"
+#include "Level2Bytes.h"
 #include "TestData.h"
 #include "nexrad/Merging/SeriesMerger.h"
 
@@ -11,8 +13,7 @@
 #include <string>
 
 using namespace nexrad;
-using nexrad::testing::MessageOf;
-using nexrad::testing::TemporaryFolder;
+using namespace nexrad::testing;
 
 namespace
 {
@@ -225,6 +226,23 @@ TEST(MemoryNeed, TheFileInTheMiddleStandsForAll)
   EXPECT_EQ(sizes.fileBytes, 20U);
   EXPECT_EQ(sizes.files, 4U);
   EXPECT_EQ(sizes.radars, 2U);
+}
+
+TEST(MemoryNeed, MessagesInGzipCountAsInRecords)
+{
+  const TemporaryFolder folder;
+  const auto bytesOf = [&folder](const Bytes& stored)
+  { return SizesOf({WriteBytes(folder.Path() / "file", stored)}, 1).fileBytes; };
+  const Bytes bare = Gzip(MakeSmallVolume(31));
+  EXPECT_EQ(bytesOf(bare), static_cast<std::size_t>(static_cast<double>(bare.size()) / 1.2));
+  Bytes records = MakeVolumeHeader();
+  const Bytes record = MakeLdmRecord(MakeMessage31(RayPlan()), true);
+  records.insert(records.end(), record.begin(), record.end());
+  EXPECT_EQ(bytesOf(records), records.size());
+  EXPECT_EQ(bytesOf(Gzip(records)), Gzip(records).size());
+  EXPECT_EQ(bytesOf(MakeSmallVolume(31)), MakeSmallVolume(31).size());
+  const Bytes other = Gzip(Bytes(100, 'a'));
+  EXPECT_EQ(bytesOf(other), other.size());
 }
 
 // Nothing of the file is read but its size: it is no radar file.
