@@ -13,8 +13,8 @@ function(read_text variable path)
 endfunction()
 
 # Each stands behind those that it imports.
-set(scripts vectors camera framing scales table bricks graphics volumePicture linePicture letters captions labels
-  unpacking frame nxv series scenePicture viewer pointer controls main)
+set(scripts vectors camera seen framing scales table bricks graphics volumePicture linePicture letters captions labels
+  unpacking frame nxv remoteFile blocks brickFile series scenePicture detail viewer pointer controls main)
 set(joined "")
 set(seen "")
 foreach(name IN LISTS scripts)

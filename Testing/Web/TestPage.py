@@ -9,6 +9,7 @@ import functools
 import http.server
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import tempfile
@@ -36,11 +37,36 @@ class QuietHandler(http.server.SimpleHTTPRequestHandler):
         pass
 
 
+class PartsHandler(QuietHandler):
+    """Sends parts of files to those who ask for them. `sent`: how many bytes of volume files; `broken`: it sends none."""
+
+    sent = 0
+    broken = False
+
+    def do_GET(self):
+        part = re.fullmatch(r"bytes=(\d+)-(\d+)", self.headers.get("Range", ""))
+        if not self.path.endswith(".nxv"):
+            super().do_GET()
+        elif part is None or PartsHandler.broken:
+            self.send_error(503)
+        else:
+            self.send_part(pathlib.Path(self.translate_path(self.path)), int(part[1]), int(part[2]) + 1)
+
+    def send_part(self, path, begin, end):
+        data = path.read_bytes()[begin:end]
+        self.send_response(206)
+        self.send_header("Content-Length", str(len(data)))
+        self.send_header("Content-Range", f"bytes {begin}-{begin + len(data) - 1}/{path.stat().st_size}")
+        self.end_headers()
+        self.wfile.write(data)
+        PartsHandler.sent += len(data)
+
+
 class Server:
     """A static server of a folder."""
 
-    def __init__(self, folder):
-        handler = functools.partial(QuietHandler, directory=str(folder))
+    def __init__(self, folder, handler=QuietHandler):
+        handler = functools.partial(handler, directory=str(folder))
         self.server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler)
         self.address = f"http://127.0.0.1:{self.server.server_address[1]}/"
         threading.Thread(target=self.server.serve_forever, daemon=True).start()

@@ -356,11 +356,11 @@ Json PageScene::MakeCamera() const
   return json;
 }
 
-std::string PageScene::MakeText(const std::vector<PageTime>& times, const std::string& index) const
+std::string PageScene::MakeText(const std::vector<PageTime>& times, const PageFiles& files) const
 {
   const auto scale = scene::MomentScale(array, {});
   PageCode shownCode = code;
-  if (!index.empty())
+  if (!files.index.empty())
   {
     shownCode.floor.reset(); // volume files hold all echo
   }
@@ -381,9 +381,13 @@ std::string PageScene::MakeText(const std::vector<PageTime>& times, const std::s
   {
     json["floor"] = *shownCode.floor;
   }
-  if (!index.empty())
+  if (!files.index.empty())
   {
-    json["series"] = index;
+    json["series"] = files.index;
+    if (files.inBricks)
+    {
+      json["bricks"] = true;
+    }
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
   }
   for (const PageTime& time : times)

@@ -46,6 +46,13 @@ struct PageTime
   std::vector<std::string> siteTexts; ///< words of the caption, with the age of the data
 };
 
+/// Volume files beside a page.
+struct PageFiles
+{
+  std::string index;     ///< its name; empty: the volumes are in the page
+  bool inBricks = false; ///< the page reads parts of them
+};
+
 /// What a page shows beside the voxels: domain, map, radars, presets, camera, colours of the theme
 /// (Documentation/Formats/web-page.md).
 class PageScene
@@ -62,9 +69,8 @@ public:
   /// The voxels of a volume, whose codes it has. Throws Error for another grid or moment.
   std::vector<std::uint8_t> Encode(vtkImageData* image) const;
 
-  /// The text for the page's script. `index`: name of the index of volume files beside the page;
-  /// empty: the volumes are in the page, `times` says when.
-  std::string MakeText(const std::vector<PageTime>& times, const std::string& index) const;
+  /// The text for the page's script. `times` says when the volumes in the page are.
+  std::string MakeText(const std::vector<PageTime>& times, const PageFiles& files) const;
 
   /// The picture of the ground: bytes of red, green and blue, from its south-western corner on.
   std::vector<std::uint8_t> GroundTexels() const;

@@ -36,6 +36,15 @@ namespace nexrad::application
 namespace
 {
 
+// The folder of a page shows the whole of large volumes in their largest voxels, and reads finer
+// ones of what is near.
+InputRequest InputOf(const scene::WebRequest& request, bool isFolder)
+{
+  InputRequest input = request.input;
+  input.fewVoxels = isFolder;
+  return input;
+}
+
 /// Volume files beside a page, and their index.
 struct VolumeFolder
 {
@@ -216,9 +225,9 @@ VolumeFolder FillVolumeFolder(const NamedFiles& files, const fs::path& folder)
 class PageMaker
 {
 public:
-  explicit PageMaker(const scene::WebRequest& webRequest)
+  PageMaker(const scene::WebRequest& webRequest, bool isFolder)
     : request(webRequest)
-    , series(OpenInputs(webRequest.input, webRequest.progress))
+    , series(OpenInputs(InputOf(webRequest, isFolder), webRequest.progress))
     , chosen(ChooseTimes(*series, webRequest.input))
     , echo(scene::MeasureSeries(*series, chosen, webRequest.scene))
   {
@@ -244,7 +253,8 @@ public:
     const VolumeFolder volumes = FillVolumeFolder(files, request.output);
     PageText text;
     text.AddWrittenFiles(volumes.written);
-    return this->Finish(std::move(text), request.output / PageName, indexName, volumes.times);
+    const PageFiles beside{indexName, IsNxvInBricks(files.begin()->second)};
+    return this->Finish(std::move(text), request.output / PageName, beside, volumes.times);
   }
 
 private:
@@ -265,9 +275,9 @@ private:
   }
 
   // `count`: times in the page, or in the index beside it.
-  Outcome Finish(PageText text, const fs::path& path, const std::string& index, std::size_t count)
+  Outcome Finish(PageText text, const fs::path& path, const PageFiles& files, std::size_t count)
   {
-    text.AddTextPart("scene", page->MakeText(times, index));
+    text.AddTextPart("scene", page->MakeText(times, files));
     text.AddPart("ground", page->GroundTexels());
     ThrowVtkErrors();
     const std::string html = text.Make(page->Title(times));
@@ -292,10 +302,11 @@ private:
 
 Outcome MakeWebPage(const scene::WebRequest& request)
 {
-  PageMaker maker(request);
   const fs::path extension = request.output.extension();
   const bool isPage = extension == ".html" || extension == ".htm";
-  return isPage && !fs::is_directory(request.output) ? maker.MakeSinglePage() : maker.MakeFolder();
+  const bool isFolder = !isPage || fs::is_directory(request.output);
+  PageMaker maker(request, isFolder);
+  return isFolder ? maker.MakeFolder() : maker.MakeSinglePage();
 }
 
 } // namespace nexrad::application

@@ -521,6 +521,12 @@ bool HasNxvCodes(const fs::path& path, const NxvReadOptions& options)
     { return CodedMoment(LevelOf(whole, options.level).header, options, false).has_value(); });
 }
 
+bool IsNxvInBricks(const fs::path& path)
+{
+  return WithContent(path, [](const NxvInput&, const NxvContent& content)
+    { return content.header.arrays.front().storage == NxvStorage::Bricks; });
+}
+
 std::size_t CountVoxelsThatDiffer(const fs::path& path, const NxvReadOptions& options)
 {
   return WithContent(path,

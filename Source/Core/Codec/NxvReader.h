@@ -72,6 +72,9 @@ GriddedVolume ReadNxvHeader(const std::filesystem::path& path);
 /// The grids in which the file has the volume, from fine to coarse; the first is its own.
 std::vector<GridSpecification> ReadNxvLevels(const std::filesystem::path& path);
 
+/// Whether the file has its first moment in bricks.
+bool IsNxvInBricks(const std::filesystem::path& path);
+
 /// The moments in the file, in its order.
 std::vector<MomentName> ReadNxvMoments(const std::filesystem::path& path);
 

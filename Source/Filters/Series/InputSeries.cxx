@@ -107,7 +107,7 @@ std::unique_ptr<VolumeSeries> OpenInputs(const InputRequest& request, const Prog
   {
     return OpenVolumeFiles(
       request.inputs, {request.momentNamed ? moments : std::vector<MomentName>(), colours, false,
-                        request.boxUnit, request.allVoxels});
+                        request.boxUnit, request.allVoxels, request.fewVoxels});
   }
   if (request.box)
   {

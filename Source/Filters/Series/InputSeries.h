@@ -31,6 +31,7 @@ struct InputRequest
   std::optional<BoxRequest> box; ///< drawn in finer voxels
   PlaceUnit boxUnit = PlaceUnit::OfVolume; ///< of the faces of `box`
   bool allVoxels = false;                  ///< VolumeFileRequest::allVoxels
+  bool fewVoxels = false;                  ///< VolumeFileRequest::fewVoxels
 };
 
 /// Opens the inputs. Throws Error when volumes and radar files are mixed, when the faces of the box

@@ -343,7 +343,9 @@ private:
 
   Part FindWhole(const fs::path& path, const Levels& levels) const
   {
-    return this->FindPart(path, levels, 0, VoxelBlock::Of, FitsAsWhole);
+    const bool coarsest = request.fewVoxels && IsNxvInBricks(path);
+    return this->FindPart(
+      path, levels, coarsest ? levels.size() - 1 : 0, VoxelBlock::Of, FitsAsWhole);
   }
 
   Part FindBox(const fs::path& path, const Levels& levels, const BoxRequest& box) const

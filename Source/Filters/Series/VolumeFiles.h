@@ -25,6 +25,7 @@ struct VolumeFileRequest
   bool all = false;                        ///< read the file's other moments as well
   PlaceUnit boxUnit = PlaceUnit::OfVolume; ///< of the faces of boxes
   bool allVoxels = false; ///< Load reads the smallest voxels, whatever memory they take
+  bool fewVoxels = false; ///< of a file in bricks Load reads the largest voxels
 };
 
 /// Reads merged volumes from files, from an index of a series, or from folders of them. Of a file

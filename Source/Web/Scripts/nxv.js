@@ -2,24 +2,30 @@
 // Reads the first moment of a volume file (Documentation/Formats/nxv.md).
 import { inflate } from './unpacking.js';
 
-const prefixLength = 8; // bytes before the header
+export const prefixLength = 8; // bytes before the header
 const utf8 = new TextDecoder();
 
-// Collects a stream until `wanted` bytes of it have come.
-class ByteCollector {
+// Collects a stream until `wanted` bytes of it have come; `orFewer`: or it has ended.
+export class ByteCollector {
   constructor(reader) {
     this.reader = reader;
     this.pieces = [];
     this.count = 0;
   }
-  async collect(wanted) {
+  async collect(wanted, orFewer = false) {
     while (this.count < wanted) {
       const { done, value } = await this.reader.read();
+      if (done && orFewer) {
+        break;
+      }
       if (done) {
         throw new Error('the file ends too early');
       }
       this.pieces.push(value);
       this.count += value.length;
+    }
+    if (this.pieces.length === 1) {
+      return this.pieces[0];
     }
     const all = new Uint8Array(this.count);
     let place = 0;
@@ -33,13 +39,26 @@ class ByteCollector {
 }
 
 // Bytes of a voxel, by the type of an array; a run of voxels of the first takes 5 at most.
-const bytesOfType = { uint7: 5, uint8: 1, uint16: 2, float32: 4 };
+export const bytesOfType = { uint7: 5, uint8: 1, uint16: 2, float32: 4 };
+
+export const isCount = (value) => Number.isSafeInteger(value) && value >= 0;
+
+// How many bytes the header has, by what stands before it.
+export function lengthOfHeader(prefix) {
+  if (utf8.decode(prefix.subarray(0, 4)) !== 'NXV1') {
+    throw new Error('it is no volume file');
+  }
+  const length = new DataView(prefix.buffer, prefix.byteOffset).getUint32(4, true);
+  if (length > 1048576) {
+    throw new Error('its header is too long');
+  }
+  return length;
+}
 
 // The header, of which only what is used here must be right.
-function parseHeader(text) {
-  const header = JSON.parse(text);
+export function parseHeader(bytes) {
+  const header = JSON.parse(utf8.decode(bytes));
   const array = header?.arrays?.[0];
-  const isCount = (value) => Number.isSafeInteger(value) && value >= 0;
   if (!isCount(array?.length) || !Object.hasOwn(bytesOfType, array.type) || !Array.isArray(header.dimensions) ||
       !header.dimensions.every(isCount)) {
     throw new Error('its header is damaged');
@@ -52,16 +71,9 @@ export async function readNxv(stream) {
   const reader = stream.getReader();
   const collector = new ByteCollector(reader);
   const first = await collector.collect(prefixLength);
-  if (utf8.decode(first.subarray(0, 4)) !== 'NXV1') {
-    throw new Error('it is no volume file');
-  }
-  const headerLength = new DataView(first.buffer).getUint32(4, true);
-  if (headerLength > 1048576) {
-    throw new Error('its header is too long');
-  }
-  const head = await collector.collect(prefixLength + headerLength);
-  const header = parseHeader(utf8.decode(head.subarray(prefixLength, prefixLength + headerLength)));
-  const payload = prefixLength + headerLength;
+  const payload = prefixLength + lengthOfHeader(first);
+  const head = await collector.collect(payload);
+  const header = parseHeader(head.subarray(prefixLength, payload));
   const all = await collector.collect(payload + header.arrays[0].length);
   await reader.cancel().catch(() => {});
   return { header, payload: all.subarray(payload, payload + header.arrays[0].length) };
@@ -88,39 +100,49 @@ function expandRuns(stream, voxels) {
   return codes;
 }
 
-// The value of each voxel as a byte of the page's scale (first, step); 0 where there is none. `masked`: 0 is kept for
-// voxels without a value.
-export async function bytesOfMoment({ header, payload }, scale, masked) {
-  const array = header.arrays[0];
-  const voxels = header.dimensions.reduce((product, count) => product * count, 1);
-  const most = voxels * bytesOfType[array.type];
-  const stored = array.encoding === 'rle' ? payload : await inflate(payload, most);
-  if (array.type !== 'uint7' && stored.length !== most) {
-    throw new Error(`it has ${stored.length} bytes of codes, not ${most}`);
-  }
+// Makes what turns the stored voxels of an array into bytes of the page's scale (first, step); 0 where there is no value.
+// `masked`: 0 is kept for those voxels.
+export function makeConverter(array, scale, masked) {
   const toByte = (value) => {
     const byte = Math.round((value - scale.first) / scale.step);
     return Math.min(Math.max(byte, masked ? 1 : 0), 255);
   };
   const isNothing = (code) => (array.type === 'uint7' ? code === 0 || code === 127 : code < 2);
   const ofCode = (code) => (isNothing(code) ? 0 : toByte(array.offset + array.scale * code));
-  const bytes = new Uint8Array(voxels);
-  if (array.type === 'uint7' || array.type === 'uint8') {
-    const codes = array.type === 'uint7' ? expandRuns(stored, voxels) : stored;
-    const table = Uint8Array.from({ length: 256 }, (_, code) => ofCode(code));
-    for (let voxel = 0; voxel < voxels; voxel++) {
-      bytes[voxel] = table[codes[voxel]];
+  const table = Uint8Array.from({ length: array.type === 'uint16' ? 65536 : 256 }, (_, code) => ofCode(code));
+  return (stored, voxels) => {
+    const most = voxels * bytesOfType[array.type];
+    if (array.type !== 'uint7' && stored.length !== most) {
+      throw new Error(`it has ${stored.length} bytes of codes, not ${most}`);
     }
-  } else if (array.type === 'uint16') {
-    for (let voxel = 0; voxel < voxels; voxel++) {
-      bytes[voxel] = ofCode(stored[voxel] + 256 * stored[voxel + voxels]);
+    const bytes = new Uint8Array(voxels);
+    if (array.type === 'uint7' || array.type === 'uint8') {
+      const codes = array.type === 'uint7' ? expandRuns(stored, voxels) : stored;
+      for (let voxel = 0; voxel < voxels; voxel++) {
+        bytes[voxel] = table[codes[voxel]];
+      }
+    } else if (array.type === 'uint16') {
+      for (let voxel = 0; voxel < voxels; voxel++) {
+        bytes[voxel] = table[stored[voxel] + 256 * stored[voxel + voxels]];
+      }
+    } else {
+      const values = new DataView(stored.buffer, stored.byteOffset, stored.length);
+      for (let voxel = 0; voxel < voxels; voxel++) {
+        const value = values.getFloat32(4 * voxel, true);
+        bytes[voxel] = value === array.fill || Number.isNaN(value) ? 0 : toByte(value);
+      }
     }
-  } else {
-    const values = new DataView(stored.buffer, stored.byteOffset, stored.length);
-    for (let voxel = 0; voxel < voxels; voxel++) {
-      const value = values.getFloat32(4 * voxel, true);
-      bytes[voxel] = value === array.fill || Number.isNaN(value) ? 0 : toByte(value);
-    }
+    return bytes;
+  };
+}
+
+// The first moment of a file that is not in bricks.
+export async function bytesOfMoment({ header, payload }, scale, masked) {
+  const array = header.arrays[0];
+  if (array.encoding === 'bricks') {
+    throw new Error('it is in bricks, and the page was made for volumes that are not; make the page again');
   }
-  return bytes;
+  const voxels = header.dimensions.reduce((product, count) => product * count, 1);
+  const stored = array.encoding === 'rle' ? payload : await inflate(payload, voxels * bytesOfType[array.type]);
+  return makeConverter(array, scale, masked)(stored, voxels);
 }

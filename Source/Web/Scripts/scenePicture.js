@@ -8,7 +8,8 @@ import { drawLabels } from './labels.js';
 import { Letters } from './letters.js';
 import { LineGroup, LinePicture } from './linePicture.js';
 import { makeScales, cornerOf } from './scales.js';
-import { subtract } from './vectors.js';
+import { findSeen } from './seen.js';
+import { add, subtract } from './vectors.js';
 import { VolumePicture } from './volumePicture.js';
 
 const lineWidths = { country: 1.3, state: 1.3, county: 1 }; // pixels
@@ -113,12 +114,21 @@ export class ScenePicture {
       { width: this.width, height: this.height, right: this.bar.left, taken: this.captions.taken() });
   }
 
+  cameraOf({ view, moved }) {
+    const placed = { ...this.placed, focus: add(this.placed.focus, moved) };
+    return new Camera(view, placed, this.width, this.height);
+  }
+
+  // What the picture shows of the domain.
+  findSeen(state) {
+    return findSeen(this.cameraOf(state), this.box);
+  }
+
   // `state`: view, moved (how far the camera was moved sideways, in the scene), time, siteTexts, preset, strength, cut,
   // cutLines, quality (share of the pixels along an edge, step in voxels).
   draw(state) {
     const { gl, scene } = this;
-    const placed = { ...this.placed, focus: this.placed.focus.map((part, axis) => part + state.moved[axis]) };
-    const camera = new Camera(state.view, placed, this.width, this.height);
+    const camera = this.cameraOf(state);
     const toClip = toClipOf(camera);
     this.setScales(state.view);
     const pixels = [this.width, this.height].map((extent) => Math.max(1, Math.round(extent * state.quality.pixels)));

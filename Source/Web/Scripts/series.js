@@ -1,40 +1,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where the volumes come from: the page itself, or volume files beside it on a server. A series has `times` (milliseconds
 // since 1970, ascending) and load(index), which gives a Frame.
+import { BrickFile } from './brickFile.js';
 import { Frame, unpackColumns } from './frame.js';
 import { bytesOfMoment, readNxv } from './nxv.js';
+import { RemoteFile } from './remoteFile.js';
 import { bytesOfBase64, inflate } from './unpacking.js';
 
 const mostKeptBytes = 160e6; // of frames that were unpacked
 const pollInterval = 10000; // milliseconds between two looks at the index of a growing series
 
-// Keeps the frames that were used last.
+// Keeps what was used last: as much as `mayKeep` says of a number of things, by one of them.
 class Shelf {
-  constructor() {
-    this.frames = new Map();
+  constructor(mayKeep) {
+    this.mayKeep = mayKeep;
+    this.things = new Map();
   }
-  // `make` returns a promise of the frame; two callers share one.
+  // `make` returns a promise of the thing; two callers share one.
   get(key, make) {
-    const found = this.frames.get(key) ?? make();
-    this.frames.delete(key);
-    this.frames.set(key, found);
-    found.then((frame) => this.leaveOut(frame.bytes.length), () => this.frames.delete(key));
+    const found = this.things.get(key) ?? make();
+    this.things.delete(key);
+    this.things.set(key, found);
+    found.then((thing) => this.leaveOut(thing), () => this.things.delete(key));
     return found;
   }
-  leaveOut(bytes) {
-    for (const key of this.frames.keys()) {
-      if (this.frames.size * bytes <= mostKeptBytes || this.frames.size <= 4) {
+  leaveOut(thing) {
+    for (const key of this.things.keys()) {
+      if (this.mayKeep(this.things.size, thing)) {
         return;
       }
-      this.frames.delete(key);
+      this.things.delete(key);
     }
   }
 }
 
+const mayKeepFrames = (number, { bytes }) => number * bytes.length <= mostKeptBytes || number <= 4;
+const mayKeepFiles = (number) => number <= 2; // a server that does not know parts sends them whole
+
 // The volumes in the page: two elements of base64 for each time.
 export class EmbeddedSeries {
   constructor(scene, document) {
-    Object.assign(this, { scene, document, times: scene.times, shelf: new Shelf() });
+    Object.assign(this, { scene, document, times: scene.times, shelf: new Shelf(mayKeepFrames) });
   }
   load(index) {
     return this.shelf.get(index, () => this.unpack(index));
@@ -62,10 +68,23 @@ function filesOfIndex(index, name) {
   return index.files.slice().sort((a, b) => a.time - b.time);
 }
 
+const addressOf = (name) => name.split('/').map(encodeURIComponent).join('/');
+
+// Does what reads a file. An error names the file.
+async function naming(name, work) {
+  try {
+    return await work();
+  } catch (problem) {
+    throw new Error(`${name}: ${problem.message}`);
+  }
+}
+
 // The volumes that an index beside the page names.
 export class FolderSeries {
   constructor(scene, fetchFile) {
-    Object.assign(this, { scene, fetchFile, times: [], names: [], shelf: new Shelf() });
+    Object.assign(this, { scene, fetchFile, times: [], names: [] });
+    this.shelf = new Shelf(mayKeepFrames);
+    this.files = new Shelf(mayKeepFiles); // in bricks
   }
   // Reads the index. Returns whether there are new times.
   async refresh() {
@@ -84,20 +103,50 @@ export class FolderSeries {
     return this.shelf.get(name, () => this.read(name));
   }
   async read(name) {
-    const response = await this.fetchFile(name.split('/').map(encodeURIComponent).join('/'));
+    if (this.scene.bricks) {
+      return this.readInBricks(name);
+    }
+    const response = await this.fetchFile(addressOf(name));
     if (!response.ok) {
       throw new Error(`${name} cannot be read from the server (${response.status}).`);
     }
     const { size, scale, masked } = this.scene;
-    try {
+    return naming(name, async () => {
       const volume = await readNxv(response.body);
-      if (volume.header.dimensions.join() !== size.join() || volume.header.arrays[0].name !== this.scene.array) {
-        throw new Error('it has another grid or moment than the page was made for');
-      }
+      this.check(volume.header, volume.header.dimensions.join() === size.join());
       return new Frame(size, await bytesOfMoment(volume, scale, masked), masked);
-    } catch (problem) {
-      throw new Error(`${name}: ${problem.message}`);
+    });
+  }
+  check(header, hasSize) {
+    if (!hasSize || header.arrays[0].name !== this.scene.array) {
+      throw new Error('it has another grid or moment than the page was made for');
     }
+  }
+  async readInBricks(name) {
+    const file = await this.openFile(name);
+    const { size, masked } = this.scene;
+    try {
+      return new Frame(size, await naming(name, () => file.readLevel(file.levelOf(size))), masked);
+    } catch (problem) {
+      this.forget(name);
+      throw problem;
+    }
+  }
+  // A file in bricks, which has the level that the page shows.
+  openFile(name) {
+    return this.files.get(name, () => naming(name, async () => {
+      const file = await BrickFile.open(new RemoteFile(this.fetchFile, addressOf(name)), this.scene);
+      this.check(file.header, file.levelOf(this.scene.size) >= 0);
+      return file;
+    }));
+  }
+  async open(index) {
+    const name = this.names[index];
+    return { name, file: await this.openFile(name) };
+  }
+  // The next use of a file reads its header anew.
+  forget(name) {
+    this.files.things.delete(name);
   }
   // Looks at the index again and again, and says when there are other times, and when it can be read again.
   follow(changed, failed) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is shown and when it is drawn: the state of the page, playing, and how fine the picture is.
 import { axesOf } from './camera.js';
+import { Detail } from './detail.js';
 import { cutLinesOf, makeCut } from './scenePicture.js';
 import { add, clamp, dot, subtract, times } from './vectors.js';
 
@@ -23,6 +24,7 @@ export class Viewer {
     this.listeners = [];
     this.shown = null; // the position whose frames are in the graphics card
     this.framesDrawn = 0;
+    this.detail = scene.bricks ? new Detail(scene, series, (detail) => this.showDetail(detail), report) : null;
   }
 
   whenChanged(listener) {
@@ -172,11 +174,28 @@ export class Viewer {
   // Something changed: draws a picture soon, and a fine one when nothing moves any more.
   touch() {
     this.lastTouch = performance.now();
+    this.schedule();
+    this.listeners.forEach((listener) => listener());
+  }
+
+  schedule() {
     if (!this.scheduled) {
       this.scheduled = true;
       requestAnimationFrame((now) => this.tick(now));
     }
-    this.listeners.forEach((listener) => listener());
+  }
+
+  showDetail(detail) {
+    if (this.picture.volume.setDetail(detail)) {
+      this.schedule();
+    }
+  }
+
+  followDetail() {
+    if (this.detail !== null && this.shown !== null && !(this.shown.share > 0)) {
+      const { picture } = this;
+      this.detail.follow(Math.floor(this.position), this.shown.frame, picture.findSeen(this), picture.box);
+    }
   }
 
   isMoving(now) {
@@ -200,10 +219,10 @@ export class Viewer {
       this.drewOnce = true;
     }
     if (moving) {
-      this.scheduled = true;
-      requestAnimationFrame((later) => this.tick(later));
+      this.schedule();
     } else {
       this.last = null;
+      this.followDetail();
     }
   }
 

@@ -25,6 +25,10 @@ class VolumeSlot {
     this.frame = frame;
     this.visibility = visibility;
   }
+  free() {
+    this.volume.free();
+    this.distances.free();
+  }
 }
 
 function withMask(bytes) {
@@ -43,6 +47,7 @@ export class VolumePicture {
   constructor(gl, shaders, { size, masked, opacityDistance }) {
     Object.assign(this, { gl, shaders, size, masked, opacityDistance });
     this.slots = [new VolumeSlot(gl, size, masked), new VolumeSlot(gl, size, masked)];
+    this.detail = null;
     this.integrals = new Texture(gl, 'float4', [entries, 1]);
     this.colours = new Texture(gl, 'float4', [samples, 1]);
     this.programs = new Map();
@@ -78,10 +83,31 @@ export class VolumePicture {
     this.share = share;
   }
 
-  program() {
+  // Shows a finer volume in place of a part of `whole`, while that is not blended: `frame`, and where it lies, `lower` and
+  // `upper`, in shares of the whole volume. Null for none. Returns whether that changes anything.
+  setDetail(detail) {
+    if (detail === this.detail) {
+      return false;
+    }
+    this.detail?.slot.free();
+    this.detail = detail === null ? null : { ...detail, slot: new VolumeSlot(this.gl, detail.frame.size, this.masked) };
+    return true;
+  }
+
+  // The detail that belongs to what is shown.
+  shownDetail() {
+    const { detail } = this;
+    if (detail === null || this.blended || detail.whole !== this.slots[0].frame) {
+      return null;
+    }
+    detail.slot.fill(detail.frame, this.visibility);
+    return detail;
+  }
+
+  program(detail) {
     const defines = {
       BLENDED: this.blended ? 1 : 0, MASKED: this.masked ? 1 : 0, SURFACES: this.surfaces.length,
-      ENTRIES: entries,
+      DETAIL: detail === null ? 0 : 1, ENTRIES: entries, BRICK: brickSize,
     };
     const key = JSON.stringify(defines);
     if (!this.programs.has(key)) {
@@ -96,13 +122,14 @@ export class VolumePicture {
     this.prepareTarget(pixels);
     const corner = [box[0], box[2], box[4]];
     const extent = [box[1] - box[0], box[3] - box[2], box[5] - box[4]];
-    const program = this.program();
+    const detail = this.shownDetail();
+    const program = this.program(detail);
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
     gl.viewport(0, 0, ...pixels);
     gl.disable(gl.BLEND);
     program.use();
     program.set({
-      blend: this.share, voxels: this.size, bricks: this.size.map((voxels) => voxels / brickSize), boxSize: extent,
+      blend: this.share, voxels: this.size, boxSize: extent,
       rayOrigin: divide(subtract(rays.origin, corner), extent),
       rayOriginX: divide(rays.originX, extent), rayOriginY: divide(rays.originY, extent),
       rayDirection: divide(rays.direction, extent),
@@ -115,7 +142,11 @@ export class VolumePicture {
     program.bind({
       volume: this.slots[0].volume, nextVolume: this.slots[1].volume, distances: this.slots[0].distances,
       nextDistances: this.slots[1].distances, integrals: this.integrals, colours: this.colours,
+      ...(detail === null ? {} : { detailVolume: detail.slot.volume, detailDistances: detail.slot.distances }),
     });
+    if (detail !== null) {
+      program.set({ detailVoxels: detail.frame.size, detailLower: detail.lower, detailUpper: detail.upper });
+    }
     gl.drawArrays(gl.TRIANGLES, 0, 3);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     this.pixels = pixels;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The colours of the volume along the ray of a pixel, from front to back. Positions are in texture coordinates of the volume
-// (0 to 1 between its outer faces), lengths along the ray in km of the stretched scene.
+// or of its detail (0 to 1 between its outer faces), lengths along the ray in km of the stretched scene.
 //
 // Defined before this text: BLENDED (two times are blended), MASKED (voxels without a value have none, rather than the
-// value of byte 0), SURFACES (how many surfaces are drawn in place of the volume; 0 for none), ENTRIES (of the integrals).
+// value of byte 0), SURFACES (how many surfaces are drawn in place of the volume; 0 for none), DETAIL (a finer volume is
+// drawn in place of a part of the other one; then nothing is blended), ENTRIES (of the integrals), BRICK (its voxels).
 precision highp float;
 precision highp int;
 precision highp sampler3D;
@@ -21,7 +22,6 @@ uniform sampler2D integrals; // Formulas L1
 uniform sampler2D colours; // of the values, for surfaces
 
 uniform vec3 voxels; // along x, y and z
-uniform vec3 bricks; // texture coordinates times this are bricks
 uniform vec3 boxSize; // km
 uniform vec3 rayOrigin, rayOriginX, rayOriginY; // texture coordinates
 uniform vec3 rayDirection, rayDirectionX, rayDirectionY; // likewise
@@ -33,34 +33,59 @@ uniform float depthPerKilometre; // 1 over the unit distance of opacities, times
 uniform vec2 surfaces[SURFACES]; // byte / 255, and opacity
 #endif
 
+#if DETAIL
+uniform sampler3D detailVolume;
+uniform usampler3D detailDistances;
+uniform vec3 detailVoxels;
+uniform vec3 detailLower, detailUpper; // its outer faces, in texture coordinates of the whole volume
+#endif
+
 const float lastEntry = float(ENTRIES - 1);
 const int mostSteps = 4096;
 
+// The volume in whose texture coordinates positions are.
+struct Grid {
+  vec3 voxels; // along x, y and z
+  vec3 size; // km
+  bool fine; // whether it is the detail
+};
+Grid grid;
+
+vec4 fetchVoxels(vec3 position) {
+#if DETAIL
+  if (grid.fine) {
+    return texture(detailVolume, position);
+  }
+#endif
+  vec4 found = texture(volume, position);
+#if BLENDED
+  found = mix(found, texture(nextVolume, position), blend);
+#endif
+  return found;
+}
+
 // The value at a place as byte / 255, and how much of a value there is.
 vec2 sampleVolume(vec3 position) {
+  vec2 found = fetchVoxels(position).rg;
 #if MASKED
-  vec2 found = texture(volume, position).rg;
-#if BLENDED
-  found = mix(found, texture(nextVolume, position).rg, blend);
-#endif
   return vec2(found.r / max(found.g, 1e-3), found.g);
 #else
-  float found = texture(volume, position).r;
-#if BLENDED
-  found = mix(found, texture(nextVolume, position).r, blend);
-#endif
-  return vec2(found, 1.0);
+  return vec2(found.r, 1.0);
 #endif
 }
 
-// Where the ray enters and leaves what is drawn of the box.
+// Where the ray enters and leaves the volume.
 vec2 findRange(vec3 origin, vec3 direction) {
-  vec3 first = 0.5 / voxels; // the centres of the outer voxels are the ends of the volume
+  vec3 first = 0.5 / grid.voxels; // the centres of the outer voxels are the ends of the volume
   vec3 one = (first - origin) / direction;
   vec3 two = (1.0 - first - origin) / direction;
   vec3 enter = min(one, two);
   vec3 leave = max(one, two);
-  vec2 range = vec2(max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
+  return vec2(max(max(enter.x, enter.y), enter.z), min(min(leave.x, leave.y), leave.z));
+}
+
+// What the camera and the cut leave of a range along the ray, whose origin and direction are those in the whole volume.
+vec2 limitRange(vec2 range, vec3 origin, vec3 direction) {
   float approach = dot(cut.xyz, direction);
   float crossing = -dot(cut, vec4(origin, 1.0)) / approach;
   if (approach > 0.0) {
@@ -74,6 +99,11 @@ vec2 findRange(vec3 origin, vec3 direction) {
 }
 
 uint fetchDistance(ivec3 brick) {
+#if DETAIL
+  if (grid.fine) {
+    return texelFetch(detailDistances, brick, 0).r;
+  }
+#endif
   uint distance = texelFetch(distances, brick, 0).r;
 #if BLENDED
   distance = min(distance, texelFetch(nextDistances, brick, 0).r);
@@ -83,6 +113,7 @@ uint fetchDistance(ivec3 brick) {
 
 // How far along the ray the bricks about a position have nothing to see; 0 in a visible brick.
 float findEmptyWay(vec3 position, vec3 direction) {
+  vec3 bricks = grid.voxels / float(BRICK);
   vec3 inBricks = clamp(position * bricks, vec3(0.0), ceil(bricks) - 1.0);
   vec3 brick = floor(inBricks);
   float reach = float(fetchDistance(ivec3(brick)));
@@ -106,9 +137,9 @@ vec3 findGradient(vec3 position) {
   vec3 gradient;
   for (int axis = 0; axis < 3; ++axis) {
     vec3 aside = vec3(0.0);
-    aside[axis] = 1.5 / voxels[axis];
+    aside[axis] = 1.5 / grid.voxels[axis];
     gradient[axis] = (sampleVolume(position + aside).x - sampleVolume(position - aside).x) /
-      (2.0 * aside[axis] * boxSize[axis]);
+      (2.0 * aside[axis] * grid.size[axis]);
   }
   return gradient;
 }
@@ -131,7 +162,7 @@ void addSegment(inout vec4 sum, float front, float back, vec3 from, vec3 to, flo
     vec2 surface = surfaces[number];
     if ((front < surface.x) != (back < surface.x)) {
       vec3 place = mix(from, to, (surface.x - front) / (back - front));
-      sum += (1.0 - sum.a) * shadeSurface(place, normalize((from - to) * boxSize), surface);
+      sum += (1.0 - sum.a) * shadeSurface(place, normalize((from - to) * grid.size), surface);
     }
   }
 }
@@ -156,15 +187,11 @@ void addSegment(inout vec4 sum, float front, float back, vec3 from, vec3 to, flo
 
 #endif
 
-void main() {
-  vec3 origin = rayOrigin + place.x * rayOriginX + place.y * rayOriginY;
-  vec3 direction = rayDirection + place.x * rayDirectionX + place.y * rayDirectionY;
-  float kilometres = length(direction * boxSize);
-  direction = mix(direction, vec3(1e-9), lessThan(abs(direction), vec3(1e-9)));
-  vec2 range = findRange(origin, direction);
-  vec3 voxelsPerWay = abs(direction) * voxels;
+// Adds what lies in a range along the ray.
+void march(inout vec4 sum, vec3 origin, vec3 direction, vec2 range) {
+  float kilometres = length(direction * grid.size);
+  vec3 voxelsPerWay = abs(direction) * grid.voxels;
   float stride = stepVoxels / max(max(voxelsPerWay.x, voxelsPerWay.y), voxelsPerWay.z);
-  vec4 sum = vec4(0.0);
   float at = range.x;
   bool known = false; // whether `front` is the value at `at`
   vec2 front = vec2(0.0);
@@ -201,5 +228,44 @@ void main() {
     known = true;
     at = end;
   }
+}
+
+#if DETAIL
+
+// Before, within and behind the detail.
+void marchParts(inout vec4 sum, vec3 origin, vec3 direction) {
+  Grid whole = grid;
+  vec3 extent = detailUpper - detailLower;
+  Grid detail = Grid(detailVoxels, boxSize * extent, true);
+  vec3 detailOrigin = (origin - detailLower) / extent;
+  vec3 detailDirection = direction / extent;
+  vec2 outer = limitRange(findRange(origin, direction), origin, direction);
+  grid = detail;
+  vec2 inner = limitRange(findRange(detailOrigin, detailDirection), origin, direction);
+  inner = inner.x < inner.y ? inner : vec2(outer.y);
+  for (int part = 0; part < 3; ++part) {
+    bool fine = part == 1;
+    grid = whole;
+    if (fine) {
+      grid = detail;
+    }
+    vec2 range = part == 0 ? vec2(outer.x, min(outer.y, inner.x)) : vec2(max(outer.x, inner.y), outer.y);
+    march(sum, fine ? detailOrigin : origin, fine ? detailDirection : direction, fine ? inner : range);
+  }
+}
+
+#endif
+
+void main() {
+  vec3 origin = rayOrigin + place.x * rayOriginX + place.y * rayOriginY;
+  vec3 direction = rayDirection + place.x * rayDirectionX + place.y * rayDirectionY;
+  direction = mix(direction, vec3(1e-9), lessThan(abs(direction), vec3(1e-9)));
+  grid = Grid(voxels, boxSize, false);
+  vec4 sum = vec4(0.0);
+#if DETAIL
+  marchParts(sum, origin, direction);
+#else
+  march(sum, origin, direction, limitRange(findRange(origin, direction), origin, direction));
+#endif
   colour = sum;
 }
