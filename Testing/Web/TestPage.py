@@ -7,10 +7,13 @@ looked at."""
 
 import functools
 import http.server
+import itertools
+import json
 import os
 import pathlib
 import re
 import shutil
+import struct
 import subprocess
 import tempfile
 import threading
@@ -21,6 +24,18 @@ import pixels
 
 DRAWN = "window.nexrad3d?.framesDrawn > 0"
 AT_REST = "window.nexrad3d?.framesDrawn > 0 && !nexrad3d.scheduled"
+DETAIL_READ = AT_REST + " && !nexrad3d.detail?.loading"
+# A domain that is so large that its volume is written in bricks, and the voxels about its middle as a domain of their own.
+LARGE = ("--dims", "4096x4096x9", "--bounds=-110,25,-72,55")
+MIDDLE = ("--dims", "512x512x9", "--bounds=-93.375,38.125,-88.625,41.875")
+# The volume alone, from a place to which two pages with one projection agree.
+VOLUME_ALONE = """(() => {
+  const { picture } = nexrad3d;
+  Object.assign(picture, { drawLetters: () => picture.letters.clear(picture.width, picture.height) });
+  Object.assign(picture.lines, { draw: () => {}, drawGround: () => {} });
+  picture.volume.opacityDistance = 5;
+  nexrad3d.set({ stretch: 4 });
+})()"""
 SHARE = 4.0  # of 255: the greatest mean difference between a page and a picture of the program
 SURFACES = 5.0  # the same of surfaces: a page closes them where nothing was scanned
 
@@ -38,9 +53,10 @@ class QuietHandler(http.server.SimpleHTTPRequestHandler):
 
 
 class PartsHandler(QuietHandler):
-    """Sends parts of files to those who ask for them. `sent`: how many bytes of volume files; `broken`: it sends none."""
+    """Sends parts of volume files to those who ask for them. `sent`: their first bytes and lengths, in the order in which they
+    were asked for; `broken`: it sends none."""
 
-    sent = 0
+    sent = []
     broken = False
 
     def do_GET(self):
@@ -59,7 +75,7 @@ class PartsHandler(QuietHandler):
         self.send_header("Content-Range", f"bytes {begin}-{begin + len(data) - 1}/{path.stat().st_size}")
         self.end_headers()
         self.wfile.write(data)
-        PartsHandler.sent += len(data)
+        PartsHandler.sent.append((begin, len(data)))
 
 
 class Server:
@@ -220,6 +236,84 @@ class PageTest:
             nexrad3d("web", *volumes[1:3], "-o", site, "--quiet")
             self.browser.wait("document.getElementById('clock').textContent.includes('(1 of 2)')")
             self.assertEqual(self.browser.run("nexrad3d.time"), shown)
+
+    def fly(self, east, north, distance=200):
+        """Looks at a place of the scene, and waits until the picture has all that it wants."""
+        self.browser.run(f"""(() => {{
+          nexrad3d.view = {{ azimuth: 200, tilt: 60, zoom: 1, parallel: false }};
+          nexrad3d.moved = [0, 0, 0];
+          nexrad3d.picture.placed = {{ focus: [{east}, {north}, 0], distance: {distance} }};
+          nexrad3d.touch();
+        }})()""")
+        self.browser.wait("!nexrad3d.isMoving(performance.now()) && " + DETAIL_READ)
+
+    def make_site(self, name, *domain):
+        volumes = self.folder / f"{name}-volumes"
+        nexrad3d("grid", self.folder / "one", "-o", volumes, "--axes", "geographic", *domain, "--end", "2006-03-12T18:05", "--quiet")
+        nexrad3d("web", volumes, "-o", self.folder / name, "--quiet")
+        return self.folder / name
+
+    def wanted(self):
+        return self.browser.run("nexrad3d.detail.wanted && {level: nexrad3d.detail.wanted.level, drawn: nexrad3d.picture.volume"
+                                ".shownDetail() !== null}")
+
+    def test_a_large_volume_is_read_in_parts_as_the_camera_comes_near(self):
+        nexrad3d("simulate", self.folder / "one", "--sites", "KLSX", "--hours", "0.2", "--quiet")
+        large, middle = self.make_site("large", *LARGE), self.make_site("middle", *MIDDLE)
+        volume = next(large.glob("*.nxv"))
+        with Server(middle) as server:
+            self.browser.open(server.address + "#controls=0")
+            self.browser.wait(AT_REST)
+            self.browser.run(VOLUME_ALONE)
+            self.fly(0, -100)
+            expected = self.picture("middle")
+        PartsHandler.sent.clear()
+        with Server(large, PartsHandler) as server:
+            self.browser.open(server.address + "#controls=0&zoom=0.3")
+            self.browser.wait(DETAIL_READ)
+            self.assertEqual(self.browser.run("nexrad3d.scene.size"), [512, 512, 9])
+            self.check_first_bytes(volume)
+            self.assertGreater(self.wanted()["level"], 0)
+            self.browser.run(VOLUME_ALONE)
+            PartsHandler.sent.clear()
+            self.fly(0, -100)
+            self.assertEqual(self.wanted(), {"level": 0, "drawn": True})
+            near = sum(count for _, count in PartsHandler.sent)
+            difference = pixels.mean_difference(expected, self.picture("large"))
+            print(f"{self.name}, near: {near} bytes in {len(PartsHandler.sent)} parts, mean difference {difference:.3f} of 255")
+            self.assertTrue(0 < near < 0.5 * volume.stat().st_size)
+            self.assertLess(difference, 0.1)
+            self.browser.run("nexrad3d.picture.volume.setDetail(null), nexrad3d.touch()")
+            self.browser.wait(AT_REST)
+            self.assertGreater(pixels.mean_difference(expected, self.picture("coarse")), 1.0)
+            self.check_moving_on()
+        self.assertEqual([line for line in self.browser.messages if "503" not in line], [])
+
+    def check_first_bytes(self, volume):
+        """What comes first is the header and the coarsest level, the last one of the file."""
+        data = volume.read_bytes()
+        header = json.loads(data[8:8 + struct.unpack_from("<I", data, 4)[0]])
+        begin = len(data) - sum(array["length"] for array in header["levels"][-1]["arrays"])
+        first = list(itertools.takewhile(lambda part: part[0] == 0 or part[0] >= begin, PartsHandler.sent))
+        self.assertGreater(len(first), 2)
+        self.assertLess(sum(count for _, count in first), 16384 + header["levels"][-1]["arrays"][0]["length"] + 1)
+
+    def check_moving_on(self):
+        """Moving back asks for nothing again; what cannot be read is said, and the picture stays."""
+        self.fly(60, 40)
+        PartsHandler.sent.clear()
+        self.fly(0, -100)
+        self.assertEqual(self.wanted(), {"level": 0, "drawn": True})
+        self.assertEqual(PartsHandler.sent, [])
+        PartsHandler.broken = True
+        try:
+            self.fly(-150, -250)
+            self.assertIn("cannot be read from the server (503)", self.text("message"))
+        finally:
+            PartsHandler.broken = False
+        self.fly(-150, -250)
+        self.assertEqual(self.text("message"), "")
+        self.assertEqual(self.wanted(), {"level": 0, "drawn": True})
 
     def test_a_page_of_a_folder_says_that_it_needs_a_server(self):
         site = self.folder / f"lone-{self.name}"

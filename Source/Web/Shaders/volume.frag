@@ -232,6 +232,15 @@ void march(inout vec4 sum, vec3 origin, vec3 direction, vec2 range) {
 
 #if DETAIL
 
+// At a face of the detail the value jumps. Surfaces of values between both ends are closed there.
+void addFace(inout vec4 sum, vec2 front, vec2 back, vec3 position, vec3 direction) {
+#if SURFACES > 0
+  if (min(front.y, back.y) >= 0.5) {
+    addSegment(sum, front.x, back.x, position - 1e-4 * direction, position, 0.0);
+  }
+#endif
+}
+
 // Before, within and behind the detail.
 void marchParts(inout vec4 sum, vec3 origin, vec3 direction) {
   Grid whole = grid;
@@ -243,14 +252,23 @@ void marchParts(inout vec4 sum, vec3 origin, vec3 direction) {
   grid = detail;
   vec2 inner = limitRange(findRange(detailOrigin, detailDirection), origin, direction);
   inner = inner.x < inner.y ? inner : vec2(outer.y);
+  vec2 last = vec2(0.0); // the value where the part before ends
   for (int part = 0; part < 3; ++part) {
-    bool fine = part == 1;
     grid = whole;
-    if (fine) {
-      grid = detail;
-    }
+    vec3 from = origin;
+    vec3 way = direction;
     vec2 range = part == 0 ? vec2(outer.x, min(outer.y, inner.x)) : vec2(max(outer.x, inner.y), outer.y);
-    march(sum, fine ? detailOrigin : origin, fine ? detailDirection : direction, fine ? inner : range);
+    if (part == 1) {
+      grid = detail;
+      from = detailOrigin;
+      way = detailDirection;
+      range = inner;
+    }
+    if (range.x < range.y) {
+      addFace(sum, last, sampleVolume(from + range.x * way), from + range.x * way, way);
+      march(sum, from, way, range);
+      last = sampleVolume(from + range.y * way);
+    }
   }
 }
 
