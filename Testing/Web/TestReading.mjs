@@ -227,6 +227,16 @@ await refusedBricks(serverOf(whole, { answer: versioned }), 'it was replaced on 
 await assert.rejects(new FolderSeries({ ...brickScene, bricks: undefined, size: dimensions }, async () => new Response(whole)).read('a.nxv'),
   { message: /^a.nxv: it is in bricks, .* make the page again$/ });
 
+// The first brick of the fine level has one code, so the others would still fill the payload without its entry.
+await assert.rejects((await openBricks(ofServer({ damageIndex: (index) => index.subarray(8) }))).read(0, boxes[0]),
+  { message: 'its index does not fit its bricks' });
+// An index that could not be read once is read again.
+{
+  const file = await openBricks(serverOf(whole, { answer: (count) => (count === 2 ? new Response('', { status: 503 }) : null) }));
+  await assert.rejects(file.read(0, boxes[0]), { message: 'it cannot be read from the server (503)' });
+  assert.equal((await file.read(0, boxes[0])).length, 37 * 21 * 9);
+}
+
 // What lies close together comes in one answer.
 const part = (offset, length) => ({ offset, length });
 assert.deepEqual(joinParts([part(0, 10), part(10, 5), part(16000, 5), part(40000, 5)]).map(({ offset, end }) => [offset, end]),
@@ -256,7 +266,9 @@ const above = (focus, distance, parallel = false) =>
   near(findSeen(above([50, 20, 0], 30, true), domain).faces, [-10, 110, -10, 50], 1e-6);
   near([findSeen(above([50, 20, 0], 30, true), domain).pixel], [0.15], 1e-9);
   assert.equal(findSeen(above([900, 20, 0], 120), domain), null);
-  assert.ok(findSeen(above([50, 20, 0], 10), domain).pixel < 0.02, 'the camera is within the domain');
+  for (const distance of [10, 20.5]) { // within the domain, and half a km above it: 1 km before the camera
+    near([findSeen(above([50, 20, 0], distance), domain).pixel], [(2 * half) / 400], 1e-9);
+  }
 }
 
 // The level that has voxels as large as the pixels, and one voxel more on each side.
