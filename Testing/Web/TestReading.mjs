@@ -189,6 +189,8 @@ for (const change of [(header) => { header.levels[0].arrays = []; }, (header) =>
   (header) => { header.levels = [null]; }, (header) => { header.dimensions = [37, 21]; }]) {
   await refusedBricks(ofServer({ change }), 'its header is damaged');
 }
+await refusedBricks(ofServer({ change: (header) => { header.arrays[0].encoding = 'deflate'; } }),
+  'it is not in bricks, and the page was made for volumes that are; make the page again');
 await refusedBricks(ofServer({ change: (header) => { header.levels = []; } }), 'it has another grid or moment than the page was made for');
 await refusedBricks(ofServer({ damageIndex: (index) => index.subarray(8) }), 'its index does not fit its bricks');
 await refusedBricks(ofServer({ damageIndex: (index) => Buffer.concat([index, index]) }), 'it has more than 96 bytes when it is inflated');

@@ -22,6 +22,9 @@ function checkArray(array) {
 
 // The levels of a file from fine to coarse, the volume itself first. `place`: of the payload of the first array.
 function levelsOf({ dimensions, arrays, levels }, place) {
+  if (arrays[0].encoding !== 'bricks') {
+    throw new Error('it is not in bricks, and the page was made for volumes that are; make the page again');
+  }
   const lists = [{ voxels: [1, 1, 1], arrays }].concat(levels ?? []);
   const isLevel = (level) => isSize(level?.voxels, 65536) && level.arrays?.[0]?.name === arrays[0].name &&
     level.arrays.every((array) => isCount(array?.length));

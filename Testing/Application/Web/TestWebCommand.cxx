@@ -209,6 +209,7 @@ TEST(WebCommand, AFolderGetsThePageTheVolumesAndTheirIndex)
   const nlohmann::json scene = SceneOf(page);
   EXPECT_EQ(scene["series"], "volumes.nxv.series");
   EXPECT_EQ(scene["floor"], nullptr);
+  EXPECT_FALSE(scene.contains("bricks"));
   EXPECT_EQ(scene["presets"].size(), 6U);
   EXPECT_FALSE(ReadPagePart(page, "ends-0"));
   EXPECT_EQ(ReadNxvSeries(site / "volumes.nxv.series"), ReadNxvSeries(series));
@@ -216,6 +217,21 @@ TEST(WebCommand, AFolderGetsThePageTheVolumesAndTheirIndex)
   {
     EXPECT_EQ(FileContent(site / name), FileContent(folder.Path() / name));
   }
+}
+
+// A page in a folder reads parts of large volumes, and begins with the whole in few voxels.
+TEST(WebCommand, AFolderShowsALargeVolumeInItsLargestVoxels)
+{
+  const TemporaryFolder folder;
+  const fs::path volume = WriteLargeStorm(folder.Path());
+  const fs::path site = folder.Path() / "site";
+  EXPECT_EQ(Message({"web", volume, "-o", site, "--quiet"}, 0), "");
+  const nlohmann::json inFolder = SceneOf(FileContent(site / "index.html"));
+  EXPECT_EQ(inFolder["size"], nlohmann::json({263, 8, 16}));
+  EXPECT_EQ(inFolder["bricks"], true);
+  const nlohmann::json alone = SceneOf(MakePage(folder, {volume}));
+  EXPECT_EQ(alone["size"], nlohmann::json({1050, 32, 16}));
+  EXPECT_FALSE(alone.contains("bricks"));
 }
 
 TEST(WebCommand, AFolderOfVolumesKeepsItsIndex)
