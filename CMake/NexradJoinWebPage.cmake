@@ -14,7 +14,7 @@ endfunction()
 
 # Each stands behind those that it imports.
 set(scripts vectors camera seen framing scales table bricks graphics volumePicture linePicture letters captions labels
-  unpacking frame nxv remoteFile blocks brickFile series scenePicture detail viewer pointer controls main)
+  unpacking frame nxv remoteFile blocks brickStore brickFile series scenePicture detail viewer pointer controls main)
 set(joined "")
 set(seen "")
 foreach(name IN LISTS scripts)

@@ -249,13 +249,14 @@ class PageTest:
 
     def make_site(self, name, *domain):
         volumes = self.folder / f"{name}-volumes"
-        nexrad3d("grid", self.folder / "one", "-o", volumes, "--axes", "geographic", *domain, "--end", "2006-03-12T18:05", "--quiet")
+        nexrad3d("grid", self.folder / "one", "-o", volumes, "--axes", "geographic", *domain, "--end", "2006-03-12T18:05",
+                 "--quiet")
         nexrad3d("web", volumes, "-o", self.folder / name, "--quiet")
         return self.folder / name
 
     def wanted(self):
-        return self.browser.run("nexrad3d.detail.wanted && {level: nexrad3d.detail.wanted.level, drawn: nexrad3d.picture.volume"
-                                ".shownDetail() !== null}")
+        return self.browser.run("nexrad3d.detail.wanted && {level: nexrad3d.detail.wanted.level, "
+                                "drawn: nexrad3d.picture.volume.shownDetail() !== null}")
 
     def test_a_large_volume_is_read_in_parts_as_the_camera_comes_near(self):
         nexrad3d("simulate", self.folder / "one", "--sites", "KLSX", "--hours", "0.2", "--quiet")
@@ -280,7 +281,8 @@ class PageTest:
             self.assertEqual(self.wanted(), {"level": 0, "drawn": True})
             near = sum(count for _, count in PartsHandler.sent)
             difference = pixels.mean_difference(expected, self.picture("large"))
-            print(f"{self.name}, near: {near} bytes in {len(PartsHandler.sent)} parts, mean difference {difference:.3f} of 255")
+            print(f"{self.name}, near: {near} bytes in {len(PartsHandler.sent)} parts, "
+                  f"mean difference {difference:.3f} of 255")
             self.assertTrue(0 < near < 0.5 * volume.stat().st_size)
             self.assertLess(difference, 0.1)
             self.browser.run("nexrad3d.picture.volume.setDetail(null), nexrad3d.touch()")

@@ -51,7 +51,8 @@ for (const files of [[{ name: 'a.nxv' }], [{ name: 'a.nxv', time: 1e308 }], [{ n
 }
 
 // Volume files in bricks, of which parts are read.
-const { BrickFile, BrickStore } = await import(pathToFileURL(join(folder, 'brickFile.js')).href);
+const { BrickFile } = await import(pathToFileURL(join(folder, 'brickFile.js')).href);
+const { BrickStore } = await import(pathToFileURL(join(folder, 'brickStore.js')).href);
 const { RemoteFile, joinParts } = await import(pathToFileURL(join(folder, 'remoteFile.js')).href);
 const { chooseDetail, Detail } = await import(pathToFileURL(join(folder, 'detail.js')).href);
 const { findSeen } = await import(pathToFileURL(join(folder, 'seen.js')).href);
@@ -61,7 +62,8 @@ const dimensions = [37, 21, 9];
 const brick = [16, 8, 4];
 const sizeIn = (voxels) => dimensions.map((count, axis) => Math.ceil(count / voxels[axis]));
 // A code for each voxel of a level; most bricks in the south have one code alone.
-const codeAt = (voxels, [x, y, z]) => (y * voxels[1] < 8 && x * voxels[0] < 16 ? 1 : 2 + ((x * 7 + y * 5 + z * 3 + voxels[0] * 40) % 200));
+const codeAt = (voxels, [x, y, z]) =>
+  (y * voxels[1] < 8 && x * voxels[0] < 16 ? 1 : 2 + ((x * 7 + y * 5 + z * 3 + voxels[0] * 40) % 200));
 
 function eachVoxel(begin, end, work) {
   for (let z = begin[2]; z < end[2]; z++) {
@@ -109,15 +111,16 @@ function brickFile(type, { factor = 1, change = () => {}, damageIndex = (index) 
     const { index, bricks } = bricksOf(type, voxels, factor);
     const packed = deflateSync(damageIndex(index));
     payloads.push(packed, bricks);
-    return { name: 'REF', type, offset: -33, scale: 0.5 / factor, fill: -33, encoding: 'bricks', brick, length: packed.length + bricks.length,
-      index_length: packed.length };
+    return { name: 'REF', type, offset: -33, scale: 0.5 / factor, fill: -33, encoding: 'bricks', brick,
+      length: packed.length + bricks.length, index_length: packed.length };
   };
   const other = { name: fill, type: 'uint8', encoding: 'deflate', length: 5 };
   const withOther = (array) => {
     payloads.push(Buffer.alloc(5));
     return [array, other];
   };
-  const header = { dimensions, arrays: withOther(arrayOf([1, 1, 1])), levels: [{ voxels: halves, arrays: withOther(arrayOf(halves)) }] };
+  const header = { dimensions, arrays: withOther(arrayOf([1, 1, 1])),
+    levels: [{ voxels: halves, arrays: withOther(arrayOf(halves)) }] };
   change(header);
   const text = Buffer.from(JSON.stringify(header));
   const start = Buffer.from('NXV1\0\0\0\0');
@@ -134,13 +137,15 @@ function serverOf(bytes, { parts = true, answer = () => null } = {}) {
     asked.push({ from, count: last + 1 - from, signal });
     const part = bytes.subarray(from, last + 1);
     return answer(asked.length, part, from) ?? (parts
-      ? new Response(part, { status: 206, headers: { 'Content-Range': `bytes ${from}-${from + part.length - 1}/${bytes.length}` } })
+      ? new Response(part, { status: 206,
+        headers: { 'Content-Range': `bytes ${from}-${from + part.length - 1}/${bytes.length}` } })
       : new Response(bytes));
   };
   return { fetchFile, asked };
 }
 
-const brickScene = { series: 'day.nxv.series', bricks: true, size: sizeIn(halves), array: 'REF', scale: { first: -33, step: 0.5 }, masked: true };
+const brickScene = { series: 'day.nxv.series', bricks: true, size: sizeIn(halves), array: 'REF',
+  scale: { first: -33, step: 0.5 }, masked: true };
 const openBricks = (server) => BrickFile.open(new RemoteFile(server.fetchFile, 'a.nxv'), brickScene);
 // Code 1 is no value, the others are their own bytes: scale and first value are those of the page.
 const expectedIn = (voxels, { begin, end }, leastValue = 2) => {
@@ -148,8 +153,8 @@ const expectedIn = (voxels, { begin, end }, leastValue = 2) => {
   eachVoxel(begin, end, (place) => bytes.push(codeAt(voxels, place) < leastValue ? 0 : codeAt(voxels, place)));
   return bytes;
 };
-const boxes = [{ begin: [0, 0, 0], end: [37, 21, 9] }, { begin: [15, 7, 3], end: [17, 9, 5] }, { begin: [36, 20, 8], end: [37, 21, 9] },
-  { begin: [3, 2, 0], end: [30, 21, 2] }];
+const boxes = [{ begin: [0, 0, 0], end: [37, 21, 9] }, { begin: [15, 7, 3], end: [17, 9, 5] },
+  { begin: [36, 20, 8], end: [37, 21, 9] }, { begin: [3, 2, 0], end: [30, 21, 2] }];
 
 for (const [type, factor] of [['uint8', 1], ['uint16', 1], ['uint16', 256]]) {
   for (const parts of [true, false]) {
@@ -191,9 +196,11 @@ for (const change of [(header) => { header.levels[0].arrays = []; }, (header) =>
 }
 await refusedBricks(ofServer({ change: (header) => { header.arrays[0].encoding = 'deflate'; } }),
   'it is not in bricks, and the page was made for volumes that are; make the page again');
-await refusedBricks(ofServer({ change: (header) => { header.levels = []; } }), 'it has another grid or moment than the page was made for');
+await refusedBricks(ofServer({ change: (header) => { header.levels = []; } }),
+  'it has another grid or moment than the page was made for');
 await refusedBricks(ofServer({ damageIndex: (index) => index.subarray(8) }), 'its index does not fit its bricks');
-await refusedBricks(ofServer({ damageIndex: (index) => Buffer.concat([index, index]) }), 'it has more than 96 bytes when it is inflated');
+await refusedBricks(ofServer({ damageIndex: (index) => Buffer.concat([index, index]) }),
+  'it has more than 96 bytes when it is inflated');
 const longerBrick = (index) => {
   const other = Buffer.from(index);
   other.writeUInt32LE(index.readUInt32LE(index.length - 8) + 1, index.length - 8);
@@ -217,16 +224,19 @@ for (const parts of [true, false]) {
   await refusedBricks(serverOf(whole.subarray(0, 6), { parts }), 'the file ends too early');
   await refusedBricks(serverOf(Buffer.from('<!DOCTYPE html>'), { parts }), 'it is no volume file');
 }
-await refusedBricks(serverOf(whole, { answer: () => new Response('', { status: 404 }) }), 'it cannot be read from the server (404)');
+await refusedBricks(serverOf(whole, { answer: () => new Response('', { status: 404 }) }),
+  'it cannot be read from the server (404)');
 await refusedBricks(serverOf(whole, { answer: (count) => (count < 2 ? null : new Response('', { status: 503 })) }),
   'it cannot be read from the server (503)');
-await refusedBricks(serverOf(whole, { answer: (count, part) => new Response(part, { status: 206, headers: { 'Content-Range': 'bytes 7-9/10' } }) }),
+const elsewhere = (count, part) => new Response(part, { status: 206, headers: { 'Content-Range': 'bytes 7-9/10' } });
+await refusedBricks(serverOf(whole, { answer: elsewhere }),
   'the server sends another part of it than was asked for');
 const versioned = (count, part, from) => new Response(part, { status: 206,
   headers: { ETag: count < 3 ? '"1"' : '"2"', 'Content-Range': `bytes ${from}-/*` } });
 await refusedBricks(serverOf(whole, { answer: versioned }), 'it was replaced on the server while it was read');
 // A page that was made for files that are not in bricks.
-await assert.rejects(new FolderSeries({ ...brickScene, bricks: undefined, size: dimensions }, async () => new Response(whole)).read('a.nxv'),
+const otherScene = { ...brickScene, bricks: undefined, size: dimensions };
+await assert.rejects(new FolderSeries(otherScene, async () => new Response(whole)).read('a.nxv'),
   { message: /^a.nxv: it is in bricks, .* make the page again$/ });
 
 // The first brick of the fine level has one code, so the others would still fill the payload without its entry.
@@ -257,7 +267,8 @@ assert.equal(joinParts([part(0, 600000), part(600000, 600000)]).length, 2);
 
 // What the camera sees of a domain of 400 km by 300 km by 20 km.
 const domain = [-200, 200, -150, 150, 0, 20];
-const near = (values, expected, within) => values.forEach((value, i) => assert.ok(Math.abs(value - expected[i]) <= within, `${values} ${expected}`));
+const near = (values, expected, within) => values.forEach((value, i) =>
+  assert.ok(Math.abs(value - expected[i]) <= within, `${values} ${expected}`));
 const above = (focus, distance, parallel = false) =>
   new Camera({ azimuth: 180, tilt: 90, zoom: 1, parallel }, { focus, distance }, 800, 400);
 {
@@ -283,9 +294,11 @@ assert.equal(choose([-10, 10, 0, 20], 4), null);
 assert.deepEqual(choose([-200, 200, -150, 150], 0.5).block, { begin: [0, 0, 0], end: [400, 300, 10] });
 {
   const many = [[1, 1, 1], [2, 2, 1], [4, 4, 1]].map((voxels) => ({ voxels, size: [2000 / voxels[0], 1500 / voxels[1], 32] }));
-  const chooseOfMany = (bytes, across) => chooseDetail(many, 2, domain, { faces: [-across, across, -150, 150], pixel: 0.01 }, bytes)?.level;
+  const chooseOfMany = (bytes, across) =>
+    chooseDetail(many, 2, domain, { faces: [-across, across, -150, 150], pixel: 0.01 }, bytes)?.level;
   // A mask takes a byte more. Of the last there is no room for more than the whole has.
-  assert.deepEqual([[1, 50], [2, 50], [1, 200], [2, 200]].map(([bytes, across]) => chooseOfMany(bytes, across)), [0, 1, 1, undefined]);
+  const views = [[1, 50], [2, 50], [1, 200], [2, 200]];
+  assert.deepEqual(views.map(([bytes, across]) => chooseOfMany(bytes, across)), [0, 1, 1, undefined]);
 }
 
 // A detail is read once, and left off when the camera moves on.

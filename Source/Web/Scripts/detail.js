@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The part of a large volume that the camera sees, in voxels as large as the pixels there.
 import { countVoxels, holdsBlock, sizeOfBlock } from './blocks.js';
-import { BrickStore } from './brickFile.js';
+import { BrickStore } from './brickStore.js';
 import { Frame } from './frame.js';
 
 const mostTexels = 2 ** 25; // bytes of its texture
@@ -60,7 +60,8 @@ export class Detail {
 
   // Whether what is shown or being read has it too.
   has({ whole, level, block }) {
-    return this.wanted !== null && this.wanted.whole === whole && this.wanted.level === level && holdsBlock(this.wanted.block, block);
+    const { wanted } = this;
+    return wanted !== null && wanted.whole === whole && wanted.level === level && holdsBlock(wanted.block, block);
   }
 
   // The picture is at rest: it shows `seen` of the volume number `index`, which is drawn as `frame`, in `box`.
