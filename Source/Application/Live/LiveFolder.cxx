@@ -160,18 +160,34 @@ void LiveDelays::Add(double seconds)
 
 std::string StatusLine(const LiveStatus& status)
 {
-  constexpr std::size_t date = 11; // "2006-03-12T"
-  constexpr std::size_t clock = 8;
-  std::string line = FormatIso8601(status.written).substr(date, clock) + "Z";
-  const char* separator = " ";
+  constexpr std::size_t mostNamed = 12;
+  std::vector<std::string> words;
+  std::vector<std::string> stale;
   for (const auto& [name, radar] : status.radars)
   {
     if (radar.newest)
     {
-      line += separator + name + (radar.live ? " LIVE " : " STALE ") +
-              AgeText(status.written - *radar.newest);
-      separator = ", ";
+      words.push_back(
+        name + (radar.live ? " LIVE " : " STALE ") + AgeText(status.written - *radar.newest));
+      radar.live ? void() : stale.push_back(words.back());
     }
+  }
+  if (words.size() > mostNamed)
+  {
+    words = {std::to_string(words.size() - stale.size()) + " radars LIVE"};
+    stale = stale.size() > mostNamed
+              ? std::vector<std::string>{std::to_string(stale.size()) + " STALE"}
+              : stale;
+    words.insert(words.end(), stale.begin(), stale.end());
+  }
+  constexpr std::size_t date = 11; // "2006-03-12T"
+  constexpr std::size_t clock = 8;
+  std::string line = FormatIso8601(status.written).substr(date, clock) + "Z";
+  const char* separator = " ";
+  for (const std::string& word : words)
+  {
+    line += separator + word;
+    separator = ", ";
   }
   return line;
 }

@@ -56,7 +56,8 @@ struct LiveStatus
   std::vector<std::string> notes;
 };
 
-/// One line for a person: "18:05:21Z KEAX LIVE 12 s, KLSX STALE 15 min".
+/// One line for a person: "18:05:21Z KEAX LIVE 12 s, KLSX STALE 15 min". Of more than twelve radars
+/// it names those that are STALE, up to twelve of them, and counts the others.
 std::string StatusLine(const LiveStatus& status);
 
 /// What a run that goes on has to know of the one before.
