@@ -61,7 +61,7 @@ std::chrono::milliseconds ParsePoll(const std::string& text)
 void AddWaiting(CLI::App& command, WatchJob& job)
 {
   AddParsedOption(command, "--poll", job.poll, ParsePoll, "DURATION",
-    "Time between two listings of the folders", "0.25s")
+    "Longest time between two listings of the folders; shorter where a listing is quick", "0.25s")
     ->group(group);
   const auto add =
     [&command](const char* name, auto& duration, const char* description, const char* usual = "")

@@ -28,7 +28,7 @@ struct WatchJob
   Duration late = std::chrono::minutes(30);  ///< what comes later does not change the series
   std::optional<Duration> keep;              ///< how long the volumes of the series stay
   std::optional<Duration> stopAfter;         ///< end when nothing came for so long
-  std::chrono::milliseconds poll = std::chrono::milliseconds(250);
+  std::chrono::milliseconds poll = std::chrono::milliseconds(250); ///< longest rest between looks
   std::vector<std::string> drawing; ///< words for `render`, which draws the newest volume; empty:
                                     ///< no picture
   std::optional<ReplayRequest> replay;
