@@ -62,13 +62,18 @@ class Stubs(unittest.TestCase):
 
 @unittest.skipUnless(HAS_MYPY, "mypy is not installed")
 class Types(unittest.TestCase):
+    # What mypy finds out about other packages in one test, it need not find out again in the other.
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
+        with open(os.path.join(cls.folder.name, "mypy.ini"), "w", encoding="ascii") as file:
+            file.write(CONFIGURATION)
+
     def mypy(self, *arguments):
-        with tempfile.TemporaryDirectory() as folder:
-            configuration = os.path.join(folder, "mypy.ini")
-            with open(configuration, "w", encoding="ascii") as file:
-                file.write(CONFIGURATION)
-            done = subprocess.run([sys.executable, "-m", "mypy", "--config-file", configuration, "--cache-dir",
-                                   os.path.join(folder, "cache"), *arguments], capture_output=True, text=True)
+        options = ["--config-file", os.path.join(self.folder.name, "mypy.ini"), "--cache-dir",
+                   os.path.join(self.folder.name, "cache")]
+        done = subprocess.run([sys.executable, "-m", "mypy", *options, *arguments], capture_output=True, text=True)
         return done.stdout + done.stderr
 
     def test_the_package(self):
