@@ -353,3 +353,9 @@ assert.deepEqual(choose([-200, 200, -150, 150], 0.5).block, { begin: [0, 0, 0], 
   await moving.follow(0, frame, { faces: [20, 23, 2, 5], pixel: 0.1 }, box);
   assert.deepEqual([shown.length, said.at(-1)], [6, '']);
 }
+
+// Radars in words: many are counted.
+const { namesOf } = await import(pathToFileURL(join(folder, 'captions.js')).href);
+const radars = Array.from({ length: 17 }, (_, i) => `K${i}`);
+assert.deepEqual(namesOf(radars.slice(1)), radars.slice(1));
+assert.deepEqual(namesOf(radars), ['17 radars']);

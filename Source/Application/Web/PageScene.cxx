@@ -337,6 +337,10 @@ Json PageScene::MakeRadars(const std::vector<PageTime>& times) const
     {
       json.push_back({{"name", site.name},
         {"place", {Rounded(site.place[0], placeDigits), Rounded(site.place[1], placeDigits)}}});
+      if (site.spread > 0.0)
+      {
+        json.back()["spread"] = Rounded(site.spread, placeDigits);
+      }
     }
   }
   return json;

@@ -15,7 +15,6 @@
 #include <vtkTexture.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace nexrad::scene
 {
@@ -64,37 +63,6 @@ void AddMapLines(SceneLayer& layer, const SceneFrame& frame, const Theme& theme)
   }
 }
 
-// Where there are many radars: how far each is from those before it, when the first is the nearest
-// to the centre, and each next one the farthest from all before it. So the radars whose spread is
-// longer than some length are farther apart than that, whatever it is. Of few radars 0.
-std::vector<double> SpreadsOf(
-  const std::vector<PlacedSite>& sites, const std::array<double, 2>& centre)
-{
-  constexpr std::size_t few = 16;
-  constexpr double most = 1e9; // always labelled
-  std::vector<double> spreads(sites.size(), 0.0);
-  std::vector<double> distances(sites.size(), most);
-  const auto far = [&](std::size_t i, const std::array<double, 2>& place)
-  { return std::hypot(sites[i].place[0] - place[0], sites[i].place[1] - place[1]); };
-  for (std::size_t count = 0; sites.size() > few && count < sites.size(); ++count)
-  {
-    std::size_t next = 0;
-    for (std::size_t i = 1; i < sites.size(); ++i)
-    {
-      const bool farther =
-        count == 0 ? far(i, centre) < far(next, centre) : distances[i] > distances[next];
-      next = farther ? i : next;
-    }
-    spreads[next] = distances[next];
-    for (std::size_t i = 0; i < sites.size(); ++i)
-    {
-      distances[i] = std::min(distances[i], far(i, sites[next].place));
-    }
-    distances[next] = -1.0;
-  }
-  return spreads;
-}
-
 void AddSite(SceneLayer& layer, const SceneFrame& frame, const std::string& name,
   const std::array<double, 2>& place, int textSize, const Theme& theme)
 {
@@ -112,19 +80,16 @@ void AddSites(SceneLayer& layer, const SceneFrame& frame, const MapContents& con
 {
   LineBuilder rings;
   const auto box = Rectangle(frame);
-  const std::vector<PlacedSite> sites = PlaceSites(frame, contents.sites);
-  const std::vector<double> spreads =
-    SpreadsOf(sites, {0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3])});
-  for (std::size_t i = 0; i < sites.size(); ++i)
+  for (const PlacedSite& site : PlaceSites(frame, contents.sites))
   {
-    for (const GroundLine& ring : PlaceRings(sites[i].place, contents.ringSpacing))
+    for (const GroundLine& ring : PlaceRings(site.place, contents.ringSpacing))
     {
       AddClipped(rings, ring, box, HeightOf(frame, GroundLevel::Rings));
     }
-    if (sites[i].within)
+    if (site.within)
     {
-      AddSite(layer, frame, sites[i].name, sites[i].place, textSize, theme);
-      layer.labels.back().spread = spreads[i];
+      AddSite(layer, frame, site.name, site.place, textSize, theme);
+      layer.labels.back().spread = site.spread;
     }
   }
   layer.props.push_back(rings.MakeActor(theme.ring, 1.0));

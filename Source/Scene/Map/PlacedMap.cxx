@@ -152,6 +152,37 @@ bool ShowsCounties(const SceneFrame& frame)
   return std::max(box[1] - box[0], box[3] - box[2]) <= widest;
 }
 
+namespace
+{
+
+// How far each radar is from those before it. Of few radars 0: all are named.
+void FindSpreads(const std::array<double, 2>& centre, std::vector<PlacedSite>& sites)
+{
+  constexpr std::size_t few = 16;
+  constexpr double most = 1e9; // always named
+  std::vector<double> distances(sites.size(), most);
+  const auto far = [&](std::size_t i, const std::array<double, 2>& place)
+  { return std::hypot(sites[i].place[0] - place[0], sites[i].place[1] - place[1]); };
+  for (std::size_t count = 0; sites.size() > few && count < sites.size(); ++count)
+  {
+    std::size_t next = 0;
+    for (std::size_t i = 1; i < sites.size(); ++i)
+    {
+      const bool farther =
+        count == 0 ? far(i, centre) < far(next, centre) : distances[i] > distances[next];
+      next = farther ? i : next;
+    }
+    sites[next].spread = distances[next];
+    for (std::size_t i = 0; i < sites.size(); ++i)
+    {
+      distances[i] = std::min(distances[i], far(i, sites[next].place));
+    }
+    distances[next] = -1.0;
+  }
+}
+
+} // namespace
+
 std::vector<PlacedSite> PlaceSites(const SceneFrame& frame, const std::vector<std::string>& sites)
 {
   std::vector<PlacedSite> placed;
@@ -164,6 +195,8 @@ std::vector<PlacedSite> PlaceSites(const SceneFrame& frame, const std::vector<st
       placed.push_back({name, place, IsWithin(place, Rectangle(frame))});
     }
   }
+  const auto box = Rectangle(frame);
+  FindSpreads({0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3])}, placed);
   return placed;
 }
 

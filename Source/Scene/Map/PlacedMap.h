@@ -40,9 +40,13 @@ struct PlacedSite
   std::string name;
   std::array<double, 2> place{}; ///< x and y in the scene
   bool within = false;           ///< whether it lies in the domain
+  double spread = 0.0;           ///< as of its Label
 };
 
-/// Those of the radars that the site table knows. None where the frame has no map.
+/// Those of the radars that the site table knows. None where the frame has no map. Where there are
+/// many, the first for spread is the nearest to the middle of the domain, and each next one the
+/// farthest from all before it: so radars with a spread longer than some length are farther apart
+/// than that.
 std::vector<PlacedSite> PlaceSites(const SceneFrame& frame, const std::vector<std::string>& sites);
 
 /// Rings of range about a radar at a place of the scene: circles at the multiples of `spacing` in m

@@ -3,12 +3,16 @@
 // bar. Places and sizes are those of Source/Scene/Captions and Source/Scene/Scales/ColourBar.cxx.
 
 const warningWord = 'SYNTHETIC';
+const mostNamed = 16; // radars
 const bar = { width: 0.02, bottom: 0.1, top: 0.88 }; // fractions of the picture
 
 // "2006-03-12 18:30:00 UTC" of milliseconds since 1970.
 export function timeText(milliseconds) {
   return `${new Date(milliseconds).toISOString().slice(0, 19).replace('T', ' ')} UTC`;
 }
+
+// The radars as words.
+export const namesOf = (radars) => (radars.length > mostNamed ? [`${radars.length} radars`] : radars);
 
 function wrap(words, width, style, letters) {
   const lines = [];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The controls of the page: they change the viewer, and show what it does.
-import { timeText } from './captions.js';
+import { namesOf, timeText } from './captions.js';
 
 export const find = (id) => document.getElementById(id);
 
@@ -78,7 +78,7 @@ function follow(viewer) {
   say('cut-azimuth-text', `${find('cut-azimuth').value}°`);
   const word = scene.synthetic ? 'SYNTHETIC. ' : '';
   find('picture').setAttribute('aria-label',
-    `${word}${scene.title} of ${scene.sites.join(', ')} at ${timeText(series.times[index])}, in three dimensions`);
+    `${word}${scene.title} of ${namesOf(scene.sites).join(', ')} at ${timeText(series.times[index])}, in three dimensions`);
 }
 
 export function togglePanel() {

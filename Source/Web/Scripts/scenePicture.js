@@ -16,6 +16,7 @@ const lineWidths = { country: 1.3, state: 1.3, county: 1 }; // pixels
 const lineLevels = { ground: -2, county: 0, state: 1, country: 2, marker: 4 };
 const levelHeight = 8e-4; // from one level to the next, of the width of the domain
 const leastLetters = 11; // height in pixels of the screen
+const lettersApart = 8; // times the height of letters, from one radar that is named to the next
 
 // A matrix of the camera from the scene to clip coordinates, column by column. Depth is not used.
 function toClipOf(camera) {
@@ -150,6 +151,12 @@ export class ScenePicture {
     this.drawLetters(camera, state);
   }
 
+  // Of many radars those are named that are far enough apart at this zoom.
+  isNamed({ spread }, { zoom }) {
+    const [west, east] = this.framed;
+    return spread === undefined || (zoom * spread * this.width) / (east - west) >= lettersApart * this.textSize;
+  }
+
   drawLetters(camera, state) {
     const { scene, letters } = this;
     letters.clear(this.width, this.height);
@@ -167,7 +174,8 @@ export class ScenePicture {
       }
     }
     const bar = { left: this.bar.left, right: this.width, bottom: 0, top: this.height };
-    drawLabels([...this.labels, ...radars], camera, [...this.captions.taken(), bar], letters);
+    const named = radars.filter((_, i) => this.isNamed(scene.radars[i], state.view));
+    drawLabels([...this.labels, ...named], camera, [...this.captions.taken(), bar], letters);
     this.captions.draw();
     this.bar.draw(scene.theme.frame);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is shown and when it is drawn: the state of the page, playing, and how fine the picture is.
 import { axesOf } from './camera.js';
+import { namesOf } from './captions.js';
 import { Detail } from './detail.js';
 import { cutLinesOf, makeCut } from './scenePicture.js';
 import { add, clamp, dot, subtract, times } from './vectors.js';
@@ -41,7 +42,7 @@ export class Viewer {
 
   // Words of the caption about the radars.
   get siteTexts() {
-    return this.scene.siteTexts[Math.floor(this.position)] ?? this.scene.sites;
+    return this.scene.siteTexts[Math.floor(this.position)] ?? namesOf(this.scene.sites);
   }
 
   start() {

@@ -7,6 +7,7 @@
 #include "Tolerance.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Codec/NxvHeader.h"
+#include "nexrad/Model/SiteTable.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -121,6 +122,33 @@ TEST(WebCommand, APageSaysWhatItShows)
   EXPECT_TRUE(scene["map"]["county"].empty()) << "the domain is 480 km wide";
   EXPECT_EQ(scene["ground"], nlohmann::json({512, 512}));
   EXPECT_EQ(ReadPagePart(page, "ground").value_or(Bytes()).size(), 3U * 512U * 512U);
+}
+
+// The page leaves out names of radars that would stand closer than the letters of the picture need.
+TEST(WebCommand, APageSaysHowFarApartManyRadarsAre)
+{
+  const TemporaryFolder folder;
+  GriddedVolume volume =
+    ReadNxv(folder.Path() / ReadNxvSeries(WriteStormFiles(folder.Path(), 1)).front().first);
+  volume.sites.clear();
+  volume.sitePositions.clear();
+  for (const char* site : {"KLSX", "KILX", "KEAX", "KDVN", "KPAH", "KSGF", "KLOT", "KVWX", "KIND",
+         "KDMX", "KARX", "KMKX", "KIWX", "KLVX", "KHPX", "KOHX", "KNQA", "KLZK"})
+  {
+    volume.sites.emplace_back(site);
+    volume.sitePositions.push_back(FindSite(site)->position);
+  }
+  const fs::path file = folder.Path() / "many.nxv";
+  WriteNxv(file, volume);
+  std::size_t always = 0;
+  const nlohmann::json radars = SceneOf(MakePage(folder, {file}))["radars"];
+  ASSERT_GE(radars.size(), 2U); // in the domain
+  for (const auto& radar : radars)
+  {
+    EXPECT_GT(radar["spread"].get<double>(), 0.0) << radar["name"];
+    always += radar["spread"].get<double>() > 1e6 ? 1 : 0;
+  }
+  EXPECT_EQ(always, 1U);
 }
 
 // The storm moves 60 km to the east.
