@@ -169,15 +169,19 @@ std::string StatusLine(const LiveStatus& status)
     {
       words.push_back(
         name + (radar.live ? " LIVE " : " STALE ") + AgeText(status.written - *radar.newest));
-      radar.live ? void() : stale.push_back(words.back());
+      if (!radar.live)
+      {
+        stale.push_back(words.back());
+      }
     }
   }
   if (words.size() > mostNamed)
   {
     words = {std::to_string(words.size() - stale.size()) + " radars LIVE"};
-    stale = stale.size() > mostNamed
-              ? std::vector<std::string>{std::to_string(stale.size()) + " STALE"}
-              : stale;
+    if (stale.size() > mostNamed)
+    {
+      stale = {std::to_string(stale.size()) + " STALE"};
+    }
     words.insert(words.end(), stale.begin(), stale.end());
   }
   constexpr std::size_t date = 11; // "2006-03-12T"

@@ -11,7 +11,7 @@ export function timeText(milliseconds) {
   return `${new Date(milliseconds).toISOString().slice(0, 19).replace('T', ' ')} UTC`;
 }
 
-// The radars as words.
+// The radars as words, as NameSites of Source/Scene/Captions/Captions.cxx has them.
 export const namesOf = (radars) => (radars.length > mostNamed ? [`${radars.length} radars`] : radars);
 
 function wrap(words, width, style, letters) {

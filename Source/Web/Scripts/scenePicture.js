@@ -151,7 +151,7 @@ export class ScenePicture {
     this.drawLetters(camera, state);
   }
 
-  // Of many radars those are named that are far enough apart at this zoom.
+  // Of many radars those are named that are far enough apart at this zoom, as DrawLabels of Source/Scene/RadarScene.cxx does.
   isNamed({ spread }, { zoom }) {
     const [west, east] = this.framed;
     return spread === undefined || (zoom * spread * this.width) / (east - west) >= lettersApart * this.textSize;
