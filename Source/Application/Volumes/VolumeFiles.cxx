@@ -87,6 +87,13 @@ bool AreInBricks(const VolumeFiles& files, const MergeOptions& options)
          voxels > static_cast<double>(files.largestWhole);
 }
 
+bool AreCodes(const VolumeFiles& files, const MergeOptions& options)
+{
+  return files.format == VolumeFormat::Nxv && options.method == MergeMethod::Beam &&
+         files.encoding.value_or(NxvEncoding::RadarSteps) == NxvEncoding::RadarSteps &&
+         !AreInBricks(files, options); // of a band, coarser levels are made, which need values
+}
+
 TakeBand PackInto(NxvBandWriter& bricks)
 {
   return [&bricks, loop = vtkNexradRangeLoop()](GriddedVolume band)
@@ -110,7 +117,7 @@ VolumeUse UseOfWriting(const VolumeFiles& files, const MergeOptions& options)
   }
   constexpr std::size_t ghostType = 1;
   constexpr std::size_t libraries = std::size_t(24) << 20; // of NetCDF and HDF5, with their buffers
-  return {1, options.moments.size() * BytesOfAVoxel(options) + ghostType, 0, libraries};
+  return {1, BytesOfAVoxel(options) + ghostType, 0, libraries};
 }
 
 } // namespace nexrad::application

@@ -57,6 +57,9 @@ void WriteVolumeIndex(const std::filesystem::path& path, const std::vector<std::
 /// Whether merged volumes are made and written band after band, in bricks.
 bool AreInBricks(const VolumeFiles& files, const MergeOptions& options);
 
+/// Whether the codes of a merge can be written as they are (BeamMergeOptions::codes).
+bool AreCodes(const VolumeFiles& files, const MergeOptions& options);
+
 /// Packs each band into the bricks of a file.
 TakeBand PackInto(NxvBandWriter& bricks);
 

@@ -471,7 +471,6 @@ GridReport WriteVolumes(const GridJob& job, const Progress& progress, const Proc
   setup.loop = vtkNexradRangeLoop();
   setup.threads = vtkNexradThreadCount();
   setup.processes = processes;
-  setup.use = UseOfWriting(FilesOfTimes(job), job.options);
   setup.sharesBlocks = ShareEachVolume(job, processes);
   // Where some do other things than the others, all would wait for each other in two places.
   processes.RequireSame(setup.sharesBlocks ? "shared\n" + job.recipe : std::string(),
@@ -479,6 +478,8 @@ GridReport WriteVolumes(const GridJob& job, const Progress& progress, const Proc
   setup.order = setup.sharesBlocks ? ScanOrder::ByLatitude : ScanOrder::ByTime;
   MergeOptions options = job.options;
   options.compareRadars = true;
+  options.beam.codes = AreCodes(FilesOfTimes(job), options);
+  setup.use = UseOfWriting(FilesOfTimes(job), options);
   SeriesMerger merger(job.inputs, options, setup);
   RequireDone(merger.Open(ShareOf(progress, 0.0, ScanShare)));
   const std::set<std::string> names = NamesOf(job, merger);

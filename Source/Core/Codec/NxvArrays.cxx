@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Codec/NxvArrays.h"
 
-#include "nexrad/Codec/MomentCode.h"
 #include "nexrad/Codec/NxvBricks.h"
 #include "nexrad/Codec/ThesisStream.h"
+#include "nexrad/Grid/MomentCode.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
@@ -62,37 +62,68 @@ NxvArray MomentArray(const GriddedVolume& volume)
   return array;
 }
 
-// `stateOf` gives the state that the file has of a voxel.
-template <class StateOf>
-void AddStates(const NxvAddArray& add, const GriddedVolume& volume, const StateOf& stateOf)
+void AddStates(const NxvAddArray& add, const GriddedVolume& volume, const ByteSource& states)
 {
   NxvArray array;
   array.name = std::string(ToString(volume.moment)) + "_state";
   array.type = NxvType::UInt8;
   array.fill = static_cast<double>(VoxelState::NotScanned);
-  add(array, volume.states.size(), DeflateSearch::Runs, BytesOfVoxels(stateOf));
+  add(array, volume.grid.VoxelCount(), DeflateSearch::Runs, states);
 }
 
-bool Holds(const std::vector<VoxelState>& states, VoxelState state)
+// Whether any voxel has a state that codes do not tell.
+bool Holds(const GriddedVolume& volume, VoxelState state)
 {
+  if (!volume.codes.empty())
+  {
+    const std::vector<StateRun>& runs = volume.statesBesideCodes;
+    return std::any_of(
+      runs.begin(), runs.end(), [state](const StateRun& run) { return run.state == state; });
+  }
   // std::find would look at them one by one.
+  const std::vector<VoxelState>& states = volume.states;
   return std::memchr(states.data(), static_cast<int>(state), states.size()) != nullptr;
+}
+
+// Of the bytes [first, first + count) of all voxels, sets those of voxels that have a state beside
+// their codes.
+void SetBytesOf(VoxelState state, const GriddedVolume& volume, std::uint8_t byte, std::size_t first,
+  std::size_t count, std::uint8_t* to)
+{
+  const std::vector<StateRun>& runs = volume.statesBesideCodes;
+  auto run = std::partition_point(runs.begin(), runs.end(),
+    [first](const StateRun& each) { return each.first + each.count <= first; });
+  for (; run != runs.end() && run->first < first + count; ++run)
+  {
+    if (run->state == state)
+    {
+      const std::size_t begin = std::max(run->first, first);
+      const std::size_t end = std::min(run->first + run->count, first + count);
+      std::fill(to + (begin - first), to + (end - first), byte);
+    }
+  }
 }
 
 // Which voxels are filtered, where some are. Readers that do not know the array take them for no
 // echo.
 void AddFiltered(const NxvAddArray& add, const GriddedVolume& volume)
 {
-  if (!Holds(volume.states, VoxelState::Filtered))
+  if (!Holds(volume, VoxelState::Filtered))
   {
     return;
   }
   NxvArray array;
   array.name = std::string(ToString(volume.moment)) + "_filtered";
   array.type = NxvType::UInt8;
-  add(array, volume.states.size(), DeflateSearch::Runs,
-    BytesOfVoxels(
-      [&states = volume.states](std::size_t i) { return states[i] == VoxelState::Filtered; }));
+  const ByteSource ofStates = BytesOfVoxels(
+    [&states = volume.states](std::size_t i) { return states[i] == VoxelState::Filtered; });
+  const ByteSource besideCodes = [&volume](std::size_t first, std::size_t count, std::uint8_t* to)
+  {
+    std::fill(to, to + count, std::uint8_t(0));
+    SetBytesOf(VoxelState::Filtered, volume, 1, first, count, to);
+  };
+  add(array, volume.grid.VoxelCount(), DeflateSearch::Runs,
+    volume.codes.empty() ? ofStates : besideCodes);
 }
 
 void AddCodes(const NxvAddArray& add, const GriddedVolume& volume, const MomentCode& code)
@@ -101,9 +132,12 @@ void AddCodes(const NxvAddArray& add, const GriddedVolume& volume, const MomentC
   array.type = code.bytes == 1 ? NxvType::UInt8 : NxvType::UInt16;
   array.offset = code.offset;
   array.scale = code.scale;
-  add(array, code.bytes * volume.states.size(), DeflateSearch::Runs,
-    [&](std::size_t first, std::size_t count, std::uint8_t* to)
-    { code.WriteBytes(volume, first, count, to); });
+  const auto write = [&](std::size_t first, std::size_t count, std::uint8_t* to)
+  {
+    volume.codes.empty() ? code.WriteBytes(volume, first, count, to)
+                         : void(std::copy_n(volume.codes.data() + first, count, to));
+  };
+  add(array, code.bytes * volume.grid.VoxelCount(), DeflateSearch::Runs, write);
 }
 
 // The first of finest × 1, 2, 5, 10, … of which 255 reach the largest value.
@@ -160,14 +194,15 @@ void CheckAncillaryValues(
 void AddBandCodes(const NxvAddArray& add, const GriddedVolume& volume)
 {
   AddCodes(add, volume, MomentCode::Widest(volume.moment));
-  if (Holds(volume.states, VoxelState::RangeFolded))
+  if (Holds(volume, VoxelState::RangeFolded))
   {
     AddStates(add, volume,
-      [&states = volume.states](std::size_t i)
-      {
-        return states[i] == VoxelState::RangeFolded ? static_cast<std::uint8_t>(states[i])
-                                                    : NxvStateAsCode;
-      });
+      BytesOfVoxels(
+        [&states = volume.states](std::size_t i)
+        {
+          return states[i] == VoxelState::RangeFolded ? static_cast<std::uint8_t>(states[i])
+                                                      : NxvStateAsCode;
+        }));
   }
   AddFiltered(add, volume);
 }
@@ -180,8 +215,8 @@ void AddFloatArrays(const NxvAddArray& add, const GriddedVolume& volume)
   array.type = NxvType::Float32;
   add(
     array, volume.values.size() * sizeof(float), DeflateSearch::Repeats, FloatBytes(volume.values));
-  AddStates(
-    add, volume, [&states = volume.states](std::size_t i) { return StateInFile(states[i]); });
+  AddStates(add, volume,
+    BytesOfVoxels([&states = volume.states](std::size_t i) { return StateInFile(states[i]); }));
   AddFiltered(add, volume);
 }
 
@@ -192,14 +227,15 @@ void AddThesisArrays(
 {
   const std::vector<std::uint8_t> codes = ThesisCode::EncodeAll(volume);
   addPayload(MomentArray(volume), EncodeRunLength(codes));
-  if (Holds(volume.states, VoxelState::RangeFolded))
+  if (Holds(volume, VoxelState::RangeFolded))
   {
     AddStates(add, volume,
-      [&codes, &states = volume.states](std::size_t i)
-      {
-        const bool folded = states[i] == VoxelState::RangeFolded;
-        return folded ? VoxelState::RangeFolded : ThesisCode::StateOf(codes[i]);
-      });
+      BytesOfVoxels(
+        [&codes, &states = volume.states](std::size_t i)
+        {
+          const bool folded = states[i] == VoxelState::RangeFolded;
+          return folded ? VoxelState::RangeFolded : ThesisCode::StateOf(codes[i]);
+        }));
   }
   AddFiltered(add, volume);
 }
@@ -208,15 +244,24 @@ void AddThesisArrays(
 void AddRadarStepArrays(const NxvAddArray& add, const GriddedVolume& volume)
 {
   AddCodes(add, volume, MomentCode::Of(volume));
-  if (Holds(volume.states, VoxelState::RangeFolded))
+  if (Holds(volume, VoxelState::RangeFolded))
   {
-    AddStates(add, volume,
+    const ByteSource ofStates = BytesOfVoxels(
       [&volume](std::size_t i)
       {
         const VoxelState state = StateInFile(volume.states[i]);
         const bool isNumber = state != VoxelState::Echo || !std::isnan(volume.values[i]);
         return isNumber ? state : VoxelState::NotScanned;
       });
+    const ByteSource besideCodes = [&volume](std::size_t first, std::size_t count, std::uint8_t* to)
+    {
+      const std::uint8_t* codes = volume.codes.data() + first;
+      std::transform(codes, codes + count, to,
+        [](std::uint8_t code) { return static_cast<std::uint8_t>(MomentCode::StateOf(code)); });
+      constexpr VoxelState folded = VoxelState::RangeFolded;
+      SetBytesOf(folded, volume, static_cast<std::uint8_t>(folded), first, count, to);
+    };
+    AddStates(add, volume, volume.codes.empty() ? ofStates : besideCodes);
   }
   AddFiltered(add, volume);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Codec/NxvBrick.h"
 
-#include "nexrad/Codec/MomentCode.h"
+#include "nexrad/Codec/LittleEndian.h"
 
 #include <algorithm>
 #include <cstring>

@@ -2,7 +2,7 @@
 #include "nexrad/Codec/NxvInput.h"
 
 #include "nexrad/Codec/JsonText.h"
-#include "nexrad/Codec/MomentCode.h"
+#include "nexrad/Codec/LittleEndian.h"
 #include "nexrad/Codec/NxvBricks.h"
 #include "nexrad/Codec/ThesisStream.h"
 #include "nexrad/Compression/Deflate.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Codec/NxvLevels.h"
 
-#include "nexrad/Codec/MomentCode.h"
+#include "nexrad/Grid/MomentCode.h"
 #include "nexrad/Polar/GateCode.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Codec/NxvOutput.h"
 
-#include "nexrad/Codec/MomentCode.h"
+#include "nexrad/Codec/LittleEndian.h"
 #include "nexrad/System/AtomicFile.h"
 #include "nexrad/System/Error.h"
 

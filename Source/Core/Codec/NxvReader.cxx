@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Codec/NxvReader.h"
+#include "nexrad/Codec/LittleEndian.h"
 
 #include "nexrad/Codec/JsonText.h"
 #include "nexrad/Codec/NxvBricks.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Codec/MomentCode.h"
 #include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/Grid/MomentCode.h"
 #include "nexrad/System/RangeLoop.h"
 
 #include <cstddef>

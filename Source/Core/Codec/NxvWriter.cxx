@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Codec/NxvWriter.h"
 
-#include "nexrad/Codec/MomentCode.h"
 #include "nexrad/Codec/NxvArrays.h"
 #include "nexrad/Codec/NxvBricks.h"
 #include "nexrad/Codec/NxvHeader.h"
@@ -10,6 +9,7 @@
 #include "nexrad/Codec/NxvOutput.h"
 #include "nexrad/Codec/NxvReader.h"
 #include "nexrad/Compression/Deflate.h"
+#include "nexrad/Grid/MomentCode.h"
 #include "nexrad/System/Error.h"
 
 #include <cmath>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Codec/ThesisStream.h"
 
-#include "nexrad/Codec/MomentCode.h"
+#include "nexrad/Codec/LittleEndian.h"
+#include "nexrad/Grid/MomentCode.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>

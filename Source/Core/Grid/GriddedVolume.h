@@ -6,6 +6,7 @@
 #include "nexrad/Model/Site.h"
 #include "nexrad/Model/Time.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -79,6 +80,14 @@ inline std::string AncillaryArrayName(MomentName moment, const std::string& anci
   return std::string(ToString(moment)) + "_" + ancillary;
 }
 
+/// Voxels one after the other of one state.
+struct StateRun
+{
+  std::size_t first = 0; ///< number of the first voxel
+  std::size_t count = 0;
+  VoxelState state = VoxelState::NotScanned;
+};
+
 /// What a merged volume says of itself.
 struct GriddedVolumeDescription
 {
@@ -106,6 +115,11 @@ struct GriddedVolumeDescription
 struct GriddedVolume : GriddedVolumeDescription
 {
   std::vector<float> values; ///< x fastest, then y, then z upward
+  /// In place of values and states, of a merge that was asked for them (BeamMergeOptions::codes):
+  /// those of MomentCode::Widest, of one byte. Such a volume serves to be written, and nothing
+  /// else.
+  std::vector<std::uint8_t> codes;
+  std::vector<StateRun> statesBesideCodes; ///< voxels that are range folded or filtered, ascending
   std::vector<VoxelState> states;
   AncillaryArrays ancillary; ///< of the method "beam", when asked for
 

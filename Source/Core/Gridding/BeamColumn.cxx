@@ -100,21 +100,41 @@ bool IsWeakEdge(const TiltSample& lower, const TiltSample& upper)
 
 } // namespace
 
-// Two neighbouring tilts over a column, or one tilt and the edge of its beam.
+// Two neighbouring tilts over a column, or one tilt and the edge of its beam. Most gaps need few of
+// the levels that can be asked for.
 struct BeamColumn::Gap
 {
+  const HeightsOver& over;
   const TiltSample* lower;
   const TiltSample* upper;
-  const TiltEdges* edges = nullptr; // of the lower tilt, when there are two
-  float ratioFrom = 0.0F;           // h/(a_e + h) at the lower tilt
-  float perRatio = 0.0F;            // 1 / the same's difference to the upper tilt
-  int from = 0;                     // first level of the gap
-  int to = 0;                       // first level above it
-  int lowerEnd = 0;                 // first level half a beam width above the lower tilt
-  int upperBegin = 0;               // first level within half a beam width of the upper tilt
-  int middle = 0;                   // first level nearer to the upper tilt
-  int echoEnd = 0;                  // where the echo of one tilt ends, when one has none (G8)
-  std::size_t tilt = 0;             // the lower one, when there are two
+  const TiltEdges* ofLower; // nullptr below the lowest tilt
+  const TiltEdges* ofUpper; // nullptr above the highest tilt
+  std::size_t tilt;         // the lower one, when there are two
+  int from;                 // first level of the gap
+  int to;                   // first level above it
+
+  bool HasTwo() const { return ofLower != nullptr && ofUpper != nullptr; }
+  // The first level half a beam width above the lower tilt.
+  int LowerEnd() const
+  {
+    return ofLower != nullptr ? over.LevelAt(UpperEdge(*ofLower, *lower)) : from;
+  }
+  // The first level within half a beam width of the upper tilt.
+  int UpperBegin() const
+  {
+    return ofUpper != nullptr ? over.LevelAt(LowerEdge(*ofUpper, *upper)) : to;
+  }
+  // The first level nearer to the upper tilt.
+  int Middle() const
+  {
+    return this->HasTwo() ? std::clamp(over.LevelAt(ofLower->middle), from, to) : from;
+  }
+  // Where the echo of one of two tilts ends when the other has none (Formulas G8).
+  int EchoEnd() const
+  {
+    const bool below = lower->state == VoxelState::Echo;
+    return std::clamp(over.LevelAt(below ? ofLower->endAbove : ofLower->endBelow), from, to);
+  }
 };
 
 BeamColumn::BeamColumn(int levels, OverlapStrategy theStrategy, const ValueRule& theRule,
@@ -140,11 +160,17 @@ BeamColumn::BeamColumn(int levels, OverlapStrategy theStrategy, const ValueRule&
 
 void BeamColumn::Clear()
 {
-  for (std::vector<float>* each : {&scanned, &echo, &sum})
+  std::fill(scanned.begin(), scanned.end(), 0.0F);
+  for (std::vector<float>* each : {&echo, &sum})
   {
-    std::fill(each->begin(), each->end(), 0.0F);
+    std::fill(each->begin() + echoFrom, each->begin() + echoTo, 0.0F);
   }
-  std::fill(unknown.begin(), unknown.end(), VoxelState::NotScanned);
+  echoFrom = echoTo = 0;
+  if (anyUnknown)
+  {
+    std::fill(unknown.begin(), unknown.end(), VoxelState::NotScanned);
+    anyUnknown = false;
+  }
   if (ancillary)
   {
     std::fill(ages.begin(), ages.end(), 0.0F);
@@ -158,38 +184,20 @@ void BeamColumn::Add(const SiteColumn& site)
   const std::vector<TiltEdges>& edges = *site.edges;
   const TiltSample* samples = site.samples;
   const HeightsOver over(site);
-  const auto levelAt = [&over](float tangent) { return over.LevelAt(tangent); };
   static constexpr TiltSample nothing;
-  int from = levelAt(LowerEdge(edges.front(), samples[0]));
-  int lowerEnd = 0;
+  int from = over.LevelAt(LowerEdge(edges.front(), samples[0]));
   for (std::size_t i = 0; i <= edges.size() && from < levelCount; ++i)
   {
     // The gap below tilt i: the first reaches down from it, the last up from the tilt before.
-    Gap gap{i > 0 ? &samples[i - 1] : &nothing, i < edges.size() ? &samples[i] : &nothing};
-    gap.from = from;
-    gap.to = std::max(
-      from, levelAt(i < edges.size() ? edges[i].tangent : UpperEdge(edges.back(), samples[i - 1])));
+    const bool hasLower = i > 0;
+    const bool hasUpper = i < edges.size();
+    const float end = hasUpper ? edges[i].tangent : UpperEdge(edges.back(), samples[i - 1]);
+    const Gap gap{over, hasLower ? &samples[i - 1] : &nothing, hasUpper ? &samples[i] : &nothing,
+      hasLower ? &edges[i - 1] : nullptr, hasUpper ? &edges[i] : nullptr, hasLower ? i - 1 : 0,
+      from, std::max(from, over.LevelAt(end))};
     if (gap.from < gap.to &&
         (gap.lower->state != VoxelState::NotScanned || gap.upper->state != VoxelState::NotScanned))
     {
-      if (i > 0)
-      {
-        lowerEnd = levelAt(UpperEdge(edges[i - 1], samples[i - 1]));
-      }
-      gap.lowerEnd = i > 0 ? lowerEnd : from;
-      gap.upperBegin = i < edges.size() ? levelAt(LowerEdge(edges[i], samples[i])) : gap.to;
-      gap.middle = gap.from;
-      if (i > 0 && i < edges.size())
-      {
-        gap.ratioFrom = over.RatioAt(edges[i - 1].tangent);
-        gap.perRatio = 1.0F / (over.RatioAt(edges[i].tangent) - gap.ratioFrom);
-        gap.edges = &edges[i - 1];
-        gap.tilt = i - 1;
-        gap.middle = std::clamp(levelAt(edges[i - 1].middle), gap.from, gap.to);
-        const bool echoBelow = gap.lower->state == VoxelState::Echo;
-        const float end = echoBelow ? edges[i - 1].endAbove : edges[i - 1].endBelow;
-        gap.echoEnd = std::clamp(levelAt(end), gap.from, gap.to);
-      }
       this->AddGap(site, gap);
     }
     from = gap.to;
@@ -257,18 +265,18 @@ void BeamColumn::AddGap(const SiteColumn& site, const Gap& gap)
   if (IsUnknown(lower) || IsUnknown(upper))
   {
     const int from =
-      lower == VoxelState::NotScanned ? std::max(gap.from, gap.upperBegin) : gap.from;
-    const int to = upper == VoxelState::NotScanned ? std::min(gap.to, gap.lowerEnd) : gap.to;
+      lower == VoxelState::NotScanned ? std::max(gap.from, gap.UpperBegin()) : gap.from;
+    const int to = upper == VoxelState::NotScanned ? std::min(gap.to, gap.LowerEnd()) : gap.to;
     const bool isFolded = lower == VoxelState::RangeFolded || upper == VoxelState::RangeFolded;
     this->AddUnknown(isFolded ? VoxelState::RangeFolded : VoxelState::Filtered, from, to);
   }
   if (measuredLower)
   {
-    this->AddState(site, gap, *gap.lower, gap.from, std::min(gap.to, gap.lowerEnd));
+    this->AddState(site, gap, *gap.lower, gap.from, std::min(gap.to, gap.LowerEnd()));
   }
   if (measuredUpper)
   {
-    this->AddState(site, gap, *gap.upper, std::max(gap.from, gap.upperBegin), gap.to);
+    this->AddState(site, gap, *gap.upper, std::max(gap.from, gap.UpperBegin()), gap.to);
   }
 }
 
@@ -281,20 +289,22 @@ void BeamColumn::AddEdge(const SiteColumn& site, const Gap& gap)
   const bool sameState = gap.lower->state == gap.upper->state; // of a moment that takes the nearest
   if (sameState || !rule.zeroIsNone || value <= zero)
   {
-    this->AddState(site, gap, *gap.lower, gap.from, gap.middle);
-    this->AddState(site, gap, *gap.upper, gap.middle, gap.to);
+    const int middle = gap.Middle();
+    this->AddState(site, gap, *gap.lower, gap.from, middle);
+    this->AddState(site, gap, *gap.upper, middle, gap.to);
     return;
   }
-  const float beyond = value + (zero - value) / gap.edges->endShare;
+  const float beyond = value + (zero - value) / gap.ofLower->endShare;
+  const int end = gap.EchoEnd();
   if (echoBelow)
   {
-    this->AddEcho(site, gap, gap.from, gap.echoEnd, value, beyond);
-    this->AddNone(site, gap, gap.echoEnd, gap.to);
+    this->AddEcho(site, gap, gap.from, end, value, beyond);
+    this->AddNone(site, gap, end, gap.to);
   }
   else
   {
-    this->AddNone(site, gap, gap.from, gap.echoEnd);
-    this->AddEcho(site, gap, gap.echoEnd, gap.to, beyond, value);
+    this->AddNone(site, gap, gap.from, end);
+    this->AddEcho(site, gap, end, gap.to, beyond, value);
   }
 }
 
@@ -304,7 +314,7 @@ void BeamColumn::AddTrend(const SiteColumn& site, const Gap& gap)
 {
   this->ShareLevels(site, gap, gap.from, gap.to);
   const TiltInterpolation upwards(
-    ValuesAbout(site.samples, site.edges->size(), gap.tilt), *gap.edges);
+    ValuesAbout(site.samples, site.edges->size(), gap.tilt), *gap.ofLower);
   for (int level = gap.from; level < gap.to; ++level)
   {
     const auto at = static_cast<std::size_t>(level);
@@ -366,11 +376,19 @@ void BeamColumn::AddState(
 void BeamColumn::ShareLevels(const SiteColumn& site, const Gap& gap, int from, int to)
 {
   const float* ratio = site.levels->ratio.data();
-  const float bend = gap.edges != nullptr ? gap.edges->bend : 0.0F;
+  float ratioFrom = 0.0F; // at the lower tilt
+  float perRatio = 0.0F;  // 1 / its difference to the upper tilt
+  float bend = 0.0F;
+  if (gap.HasTwo())
+  {
+    ratioFrom = gap.over.RatioAt(gap.ofLower->tangent);
+    perRatio = 1.0F / (gap.over.RatioAt(gap.ofUpper->tangent) - ratioFrom);
+    bend = gap.ofLower->bend;
+  }
   float* share = shares.data();
   for (int z = from; z < to; ++z)
   {
-    const float linear = std::clamp((ratio[z] - gap.ratioFrom) * gap.perRatio, 0.0F, 1.0F);
+    const float linear = std::clamp((ratio[z] - ratioFrom) * perRatio, 0.0F, 1.0F);
     share[z] = linear + bend * linear * (1.0F - linear);
   }
 }
@@ -441,6 +459,11 @@ void BeamColumn::AddEcho(
 
 void BeamColumn::AccumulateEcho(int from, int to)
 {
+  if (from < to)
+  {
+    echoFrom = echoTo > 0 ? std::min(echoFrom, from) : from;
+    echoTo = std::max(echoTo, to);
+  }
   const float* value = values.data();
   const float* weight = weights.data();
   float* all = scanned.data();
@@ -468,6 +491,7 @@ void BeamColumn::AccumulateEcho(int from, int to)
 
 void BeamColumn::AddUnknown(VoxelState state, int from, int to)
 {
+  anyUnknown = true;
   for (int z = from; z < to; ++z)
   {
     VoxelState& known = unknown[static_cast<std::size_t>(z)];
@@ -481,10 +505,11 @@ void BeamColumn::AddAncillary(const SiteColumn& site, const Gap& gap, int from, 
   {
     return;
   }
+  const int middle = gap.Middle();
   for (int z = from; z < to; ++z)
   {
     const auto at = static_cast<std::size_t>(z);
-    const bool upper = gap.lower->fade == 0.0F || (gap.upper->fade > 0.0F && z >= gap.middle);
+    const bool upper = gap.lower->fade == 0.0F || (gap.upper->fade > 0.0F && z >= middle);
     const float age = upper ? gap.upper->age : gap.lower->age;
     ages[at] = radars[at] == 0 ? age : std::min(ages[at], age);
     nearestSites[at] = radars[at] == 0 ? static_cast<std::uint8_t>(std::min(site.site, NoSite - 1))
@@ -506,13 +531,22 @@ bool BeamColumn::HasSameSums(const BeamColumn& other) const
 
 void BeamColumn::Finish(float fill)
 {
+  const float* all = scanned.data();
+  const VoxelState* other = unknown.data();
+  VoxelState* state = states.data();
+  for (int z = 0; z < levelCount; ++z)
+  {
+    const VoxelState known = other[z];
+    state[z] = all[z] > 0.0F ? VoxelState::NoEcho : known;
+  }
+  std::fill(values.begin(), values.end(), fill);
   const float half = strategy == OverlapStrategy::Maximum ? 0.0F : 0.5F;
-  for (std::size_t z = 0; z < scanned.size(); ++z)
+  for (auto z = static_cast<std::size_t>(echoFrom); z < static_cast<std::size_t>(echoTo); ++z)
   {
     const bool isEcho = echo[z] > 0.0F && echo[z] >= half * scanned[z];
     const float mean = strategy == OverlapStrategy::Maximum ? sum[z] : sum[z] / echo[z];
     values[z] = isEcho ? mean : fill;
-    states[z] = isEcho ? VoxelState::Echo : scanned[z] > 0.0F ? VoxelState::NoEcho : unknown[z];
+    states[z] = isEcho ? VoxelState::Echo : states[z];
   }
   if (rule.linear || rule.period > 0.0F)
   {

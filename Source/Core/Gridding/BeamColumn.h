@@ -89,6 +89,8 @@ public:
   std::pair<int, int> QuietLevels(
     const SiteColumn& site, std::size_t firstTilt, std::size_t endTilt) const;
 
+  /// Whether a radar found any voxel to be range folded or filtered.
+  bool HasUnknown() const { return anyUnknown; }
   /// Whether a radar gave an echo to any voxel.
   bool HasEcho() const;
   /// Whether another column of as many levels was given the same by its radars.
@@ -132,7 +134,10 @@ private:
   std::vector<float> scanned;      // sum of the weights of the radars that scanned the voxel
   std::vector<float> echo;         // of those that saw echo
   std::vector<float> sum;          // of weight × value; for Maximum, the largest value
+  int echoFrom = 0;                // levels of echo lie from here
+  int echoTo = 0;                  // to before here
   std::vector<VoxelState> unknown; // the state where no radar measured anything
+  bool anyUnknown = false;
   std::vector<float> ages;
   std::vector<std::uint8_t> radars;
   std::vector<std::uint8_t> nearestSites;

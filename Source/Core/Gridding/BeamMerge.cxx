@@ -11,6 +11,7 @@
 #include <cmath>
 #include <locale>
 #include <map>
+#include <mutex>
 #include <set>
 #include <sstream>
 
@@ -227,6 +228,11 @@ OverlapStrategy StrategyFor(MomentName moment, OverlapStrategy wanted)
   default:
     return wanted;
   }
+}
+
+bool HasCodes(const BeamMergeOptions& options, MomentName moment)
+{
+  return options.codes && MomentCode::Widest(moment).bytes == 1;
 }
 
 BeamVolume PrepareForGrid(
@@ -459,12 +465,13 @@ GriddedVolume BeamMerger::Describe(const BeamMergePlan& plan) const
   return volume;
 }
 
-void BeamMerger::MakeRoom(GriddedVolume& volume) const
+void BeamMerger::MakeRoom(const RowOptions& rows, GriddedVolume& volume) const
 {
   const std::size_t count = volume.grid.VoxelCount();
   // What used memory holds stays: the merge sets every value.
-  volume.values.resize(count);
-  volume.states.resize(count);
+  volume.values.resize(rows.code ? 0 : count);
+  volume.states.resize(rows.code ? 0 : count);
+  volume.codes.resize(rows.code ? count : 0);
   if (options.ancillary)
   {
     ForEachAncillaryArray(
@@ -512,6 +519,10 @@ RowOptions BeamMerger::RowsFor(BeamMergePlan& plan, MomentName moment, const Vox
   rows.motion = plan.motion;
   rows.echoes = plan.echoes.empty() ? nullptr : plan.echoes.data();
   rows.width = grid.dimensions[0];
+  if (HasCodes(options, moment))
+  {
+    rows.code = MomentCode::Widest(moment);
+  }
   return rows;
 }
 
@@ -532,11 +543,13 @@ std::optional<GriddedVolume> BeamMerger::Merge(
   GriddedVolume volume = this->Describe(plan);
   volume.grid = PartOf(grid, block);
   volume.values = std::move(memory.values);
+  volume.codes = std::move(memory.codes);
   volume.states = std::move(memory.states);
   volume.ancillary = std::move(memory.ancillary);
-  this->MakeRoom(volume);
   const RowOptions rows = this->RowsFor(plan, volume.moment, block);
+  this->MakeRoom(rows, volume);
   const int height = block.Size(1);
+  std::mutex adding;
   for (int band = 0; band < height; band += bandHeight)
   {
     if (progress && !progress(static_cast<double>(band) / height))
@@ -549,9 +562,14 @@ std::optional<GriddedVolume> BeamMerger::Merge(
       {
         const int first = band + begin * rowsTogether;
         const int last = std::min(band + end * rowsTogether, bandEnd);
-        MergeRows(sites, rows, block.begin[1] + first, block.begin[1] + last, volume);
+        const std::vector<StateRun> runs =
+          MergeRows(sites, rows, block.begin[1] + first, block.begin[1] + last, volume);
+        const std::lock_guard<std::mutex> lock(adding);
+        volume.statesBesideCodes.insert(volume.statesBesideCodes.end(), runs.begin(), runs.end());
       });
   }
+  std::sort(volume.statesBesideCodes.begin(), volume.statesBesideCodes.end(),
+    [](const StateRun& a, const StateRun& b) { return a.first < b.first; });
   if (progress && !progress(1.0))
   {
     return std::nullopt;
@@ -671,10 +689,11 @@ GriddedVolume BeamMerger::MergeColumnsOf(
   }
   GriddedVolume volume = this->Describe(plan);
   volume.grid = PartOf(grid, tile);
+  const RowOptions rows = this->RowsFor(plan, volume.moment, tile);
   volume.values.assign(tile.VoxelCount(), volume.fill);
   volume.states.assign(tile.VoxelCount(), VoxelState::NotScanned);
-  this->MakeRoom(volume);
-  MergeColumns(sites, this->RowsFor(plan, volume.moment, tile), wanted, volume);
+  this->MakeRoom(rows, volume);
+  MergeColumns(sites, rows, wanted, volume);
   return volume;
 }
 

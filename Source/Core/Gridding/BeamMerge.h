@@ -39,13 +39,18 @@ struct BeamMergeOptions
                      ///< else G8 alone. Reflectivity in dBZ
   bool fillColumns = false; ///< give values to voxels between and below those scanned (Formulas T7)
   bool ancillary = false;   ///< make GriddedVolume::ancillary
-  RadarBiases biases;       ///< dB that are taken off reflectivity of these radars before all else
-                            ///< (Formulas Q6)
+  bool codes = false; ///< make GriddedVolume::codes of moments whose codes have one byte whatever
+                      ///< their voxels hold (MomentCode::Widest)
+  RadarBiases biases; ///< dB that are taken off reflectivity of these radars before all else
+                      ///< (Formulas Q6)
 };
 
 /// How radars that overlap are put together in a moment, where `wanted` is asked for: VEL, SRV and
 /// SW, PHI and DIV take the nearest, AZSHEAR the largest value, the others what is wanted.
 OverlapStrategy StrategyFor(MomentName moment, OverlapStrategy wanted);
+
+/// Whether a merge with these options makes codes of a moment in place of values.
+bool HasCodes(const BeamMergeOptions& options, MomentName moment);
 
 /// Position and reach of a radar, from which follows whether it reaches a block.
 struct SiteReach
@@ -161,7 +166,7 @@ private:
   std::optional<MergeSite> MakeSite(int number, const std::vector<const BeamVolume*>& volumes,
     Time time, const MotionField* motion) const;
   void FindSites(BeamMergePlan& plan, const BeamMergePlan* before) const;
-  void MakeRoom(GriddedVolume& volume) const;
+  void MakeRoom(const RowOptions& rows, GriddedVolume& volume) const;
   RowOptions RowsFor(BeamMergePlan& plan, MomentName moment, const VoxelBlock& part) const;
 
   const GridSpecification grid;

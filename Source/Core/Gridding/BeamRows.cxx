@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace nexrad
 {
@@ -17,36 +18,37 @@ namespace
 // states, too, and so that neighbouring columns look the same sweep up one after the other.
 constexpr int stripWidth = 64;
 
-// One strip's columns, level by level within a column.
+// One strip's columns, column by column within a level.
 template <class Value>
 class Strip
 {
 public:
-  // Columns do not begin a power of two apart, where a cache would keep only a few of them.
   explicit Strip(std::size_t levelCount)
-    : stride(levelCount + 64 / sizeof(Value))
-    , values(stride * stripWidth)
+    : values(levelCount * stripWidth)
   {
   }
 
   void Set(int column, const std::vector<Value>& from)
   {
-    std::copy(
-      from.begin(), from.end(), values.begin() + static_cast<std::ptrdiff_t>(stride) * column);
-  }
-
-  // Writes a level of the first `count` columns to where the first of them stands.
-  void Write(std::size_t level, int count, Value* to) const
-  {
-    const Value* from = values.data() + level;
-    for (int column = 0; column < count; ++column)
+    Value* to = values.data() + column;
+    for (const Value value : from)
     {
-      to[column] = from[static_cast<std::size_t>(column) * stride];
+      *to = value;
+      to += stripWidth;
     }
   }
 
+  void Fill(Value value) { std::fill(values.begin(), values.end(), value); }
+
+  // A level of all columns.
+  const Value* Row(std::size_t level) const { return values.data() + level * stripWidth; }
+  // Writes a level of the first `count` columns to where the first of them stands.
+  void Write(std::size_t level, int count, Value* to) const
+  {
+    std::copy_n(this->Row(level), count, to);
+  }
+
 private:
-  std::size_t stride;
   std::vector<Value> values;
 };
 
@@ -82,7 +84,9 @@ public:
     , column(theOptions.levels, theOptions.strategy,
         theSites.empty() ? ValueRule() : theSites.front().site->context.rule, ancillary,
         theOptions.trend)
-    , values(levels)
+    , values(options.code ? 0 : levels)
+    , codes(options.code ? levels : 0)
+    , codesOfColumn(options.code ? levels : 0)
     , states(levels)
     , ages(ancillary ? levels : 0)
     , weights(ancillary ? levels : 0)
@@ -91,6 +95,7 @@ public:
     , samples(theSites.size())
     , surroundings(theSites.size())
   {
+    states.Fill(VoxelState::NotScanned);
   }
 
   // Merges the columns x to x + count − 1 of a row.
@@ -108,6 +113,9 @@ public:
     }
     this->Write(x, y, count, volume);
   }
+
+  // Gives the states away that codes do not tell.
+  std::vector<StateRun> TakeRuns() { return std::move(runs); }
 
   // From now on, what radars see is compared alone, however much they count beside each other.
   void BeginToCompare() { compares = true; }
@@ -209,8 +217,8 @@ private:
       {
         if (!about[static_cast<std::size_t>(i)].quiet)
         {
-          to[static_cast<std::size_t>(i) * tilts] = this->SampleColumn(
-            site, tilt, directions[i - seen.begin], about[static_cast<std::size_t>(i)]);
+          this->SampleColumn(site, tilt, directions[i - seen.begin],
+            about[static_cast<std::size_t>(i)], to[static_cast<std::size_t>(i) * tilts]);
         }
       }
     }
@@ -312,7 +320,7 @@ private:
       about.inFull = about.inFull && known[tilt] != QuietZones::Tilt::AgingNoEcho;
       if (known[tilt] == QuietZones::Tilt::Unknown)
       {
-        to[tilt] = this->SampleColumn(site, tilt, direction, about);
+        this->SampleColumn(site, tilt, direction, about, to[tilt]);
         none = to[tilt].state == VoxelState::NoEcho && to[tilt].fade >= LeastFade;
         about.inFull = about.inFull && (!none || to[tilt].fade == 1.0F);
         if (!none && to[tilt].state != VoxelState::NotScanned)
@@ -332,7 +340,7 @@ private:
     {
       if (HasNoEcho(known[tilt]))
       {
-        to[tilt] = this->SampleColumn(site, tilt, direction, about);
+        this->SampleColumn(site, tilt, direction, about, to[tilt]);
       }
     };
     if (about.firstTilt < about.endTilt)
@@ -343,25 +351,28 @@ private:
     }
   }
 
-  TiltSample SampleColumn(const MergeSite& site, std::size_t tilt, const ColumnDirection& direction,
-    const Surroundings& about) const
+  void SampleColumn(const MergeSite& site, std::size_t tilt, const ColumnDirection& direction,
+    const Surroundings& about, TiltSample& sample) const
   {
+    sample = {};
     if (about.known != nullptr && about.known[tilt] == QuietZones::Tilt::NotScanned)
     {
-      return {};
+      return;
     }
     const QuietTilt& quiet = site.quiet[tilt];
     const ColumnMotion* motion =
       about.top > 0 && options.motion != nullptr ? &about.motion : nullptr;
     if (about.top >= quiet.elevation)
     {
-      return SampleTilt(site.tilts, tilt, direction, site.context, motion);
+      SampleTilt(site.tilts, tilt, direction, site.context, motion, false, sample);
+      return;
     }
     // What lower tilts hold may come to a look alone, which moves at its height.
     const bool asked = quiet.alone && about.top >= site.lowestQuiet;
-    const std::optional<TiltSample> known =
-      asked ? std::nullopt : SampleQuiet(quiet, direction, site.context);
-    return known ? *known : SampleTilt(site.tilts, tilt, direction, site.context, motion, true);
+    if (asked || !SampleQuiet(quiet, direction, site.context, sample))
+    {
+      SampleTilt(site.tilts, tilt, direction, site.context, motion, true, sample);
+    }
   }
 
   void MergeColumn(int x, int y, int place, float fill)
@@ -465,8 +476,15 @@ private:
 
   void Keep(int place)
   {
-    values.Set(place, column.Values());
-    states.Set(place, column.States());
+    if (options.code)
+    {
+      this->KeepCodes(place);
+    }
+    else
+    {
+      values.Set(place, column.Values());
+      states.Set(place, column.States());
+    }
     if (ancillary)
     {
       ages.Set(place, column.Ages());
@@ -476,7 +494,19 @@ private:
     }
   }
 
-  void Write(int x, int y, int count, GriddedVolume& volume) const
+  void KeepCodes(int place)
+  {
+    options.code->WriteBytes(
+      column.Values().data(), column.States().data(), levels, 0, codesOfColumn.data());
+    codes.Set(place, codesOfColumn);
+    if (column.HasUnknown())
+    {
+      states.Set(place, column.States());
+      anyUnknown = true;
+    }
+  }
+
+  void Write(int x, int y, int count, GriddedVolume& volume)
   {
     const VoxelBlock& block = options.block;
     const auto width = static_cast<std::size_t>(block.Size(0));
@@ -492,14 +522,43 @@ private:
         any ? strip.Write(level, count, to) : std::fill(to, to + count, nothing);
       };
       const bool seen = !present.empty();
-      write(anyEcho, values, volume.values, volume.fill);
-      write(seen, states, volume.states, VoxelState::NotScanned);
+      if (options.code)
+      {
+        write(seen, codes, volume.codes, std::uint8_t(MomentCode::NotScannedCode));
+        anyUnknown ? this->NoteUnknown(states.Row(level), count, at) : void();
+      }
+      else
+      {
+        write(anyEcho, values, volume.values, volume.fill);
+        write(seen, states, volume.states, VoxelState::NotScanned);
+      }
       if (ancillary)
       {
         write(seen, ages, volume.ancillary.age, 0.0F);
         write(seen, weights, volume.ancillary.weight, 0.0F);
         write(seen, radars, volume.ancillary.radars, std::uint8_t(0));
         write(seen, nearestSites, volume.ancillary.nearestSite, BeamColumn::NoSite);
+      }
+    }
+    if (std::exchange(anyUnknown, false))
+    {
+      states.Fill(VoxelState::NotScanned);
+    }
+  }
+
+  // Adds the states of a row of the strip that codes do not tell; `at` is its first voxel.
+  void NoteUnknown(const VoxelState* row, int count, std::size_t at)
+  {
+    for (int begin = 0, end = 1; begin < count; begin = end++)
+    {
+      while (end < count && row[end] == row[begin])
+      {
+        ++end;
+      }
+      if (row[begin] == VoxelState::Filtered || row[begin] == VoxelState::RangeFolded)
+      {
+        runs.push_back({at + static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin),
+          row[begin]});
       }
     }
   }
@@ -510,7 +569,10 @@ private:
   const bool ancillary;
   BeamColumn column;
   Strip<float> values;
-  Strip<VoxelState> states;
+  Strip<std::uint8_t> codes;
+  std::vector<std::uint8_t> codesOfColumn;
+  Strip<VoxelState>
+    states; // with codes, of the columns alone that have one which these do not tell
   Strip<float> ages;
   Strip<float> weights;
   Strip<std::uint8_t> radars;
@@ -521,14 +583,16 @@ private:
   bool compares = false;
   std::array<bool, stripWidth> echoes{}; // columns of which a radar does not know that it has none
   bool anyEcho = false;                  // there may be some in the strip
+  bool anyUnknown = false;               // a column of the strip has a state that codes do not tell
+  std::vector<StateRun> runs;
   std::vector<std::pair<float, std::size_t>> order; // distance and site
   std::vector<EchoLayers::Changes> layers;          // of the site that is added, by gap
 };
 
 } // namespace
 
-void MergeRows(const std::vector<SiteOnBlock>& sites, const RowOptions& options, int beginRow,
-  int endRow, GriddedVolume& volume)
+std::vector<StateRun> MergeRows(const std::vector<SiteOnBlock>& sites, const RowOptions& options,
+  int beginRow, int endRow, GriddedVolume& volume)
 {
   StripMerger merger(sites, options, !volume.ancillary.age.empty());
   const int end = options.block.end[0];
@@ -540,6 +604,7 @@ void MergeRows(const std::vector<SiteOnBlock>& sites, const RowOptions& options,
       merger.Merge(x, y, std::min(stripWidth, end - x), volume);
     }
   }
+  return merger.TakeRuns();
 }
 
 void MergeColumns(const std::vector<SiteOnBlock>& sites, const RowOptions& options,

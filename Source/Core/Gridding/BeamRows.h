@@ -2,6 +2,7 @@
 #pragma once
 
 #include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/Grid/MomentCode.h"
 #include "nexrad/Grid/SiteGeometry.h"
 #include "nexrad/Gridding/BeamColumn.h"
 #include "nexrad/Gridding/BeamSampling.h"
@@ -13,6 +14,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace nexrad
@@ -58,15 +60,17 @@ struct RowOptions
   /// Of each column of the grid, x fastest, takes whether a radar gives an echo to any of its
   /// voxels; nullptr: nobody asks.
   std::uint8_t* echoes = nullptr;
-  int width = 0; ///< columns of the grid along x
+  int width = 0;                  ///< columns of the grid along x
+  std::optional<MomentCode> code; ///< of one byte: makes codes in place of values and states
 };
 
 /// Merges the rows [beginRow, endRow) of a grid that the block has: its columns (x, y) for these y.
 /// `volume` has its fill value and arrays of the block's size, of which every value of these rows
 /// is set; its ancillary arrays are made when they have their size. Ranges of rows write apart from
-/// each other and can be run side by side. A voxel's value does not depend on the block.
-void MergeRows(const std::vector<SiteOnBlock>& sites, const RowOptions& options, int beginRow,
-  int endRow, GriddedVolume& volume);
+/// each other and can be run side by side. A voxel's value does not depend on the block. Returns
+/// the states of these rows that codes do not tell, in no order.
+std::vector<StateRun> MergeRows(const std::vector<SiteOnBlock>& sites, const RowOptions& options,
+  int beginRow, int endRow, GriddedVolume& volume);
 
 /// The same of the columns that `wanted` marks: it has a value for each column of the block, x
 /// fastest. The others stay as they are.

@@ -607,9 +607,8 @@ inline float ShareAmongCells(const Observed& before, const Observed& after, floa
 }
 
 // One observation without its counterpart, as it is.
-TiltSample SampleOf(const Observed& observed, float gap)
+void SampleOf(const Observed& observed, float gap, TiltSample& sample)
 {
-  TiltSample sample;
   sample.state = observed.state;
   sample.assumed = observed.assumed;
   sample.value = observed.value;
@@ -617,7 +616,6 @@ TiltSample SampleOf(const Observed& observed, float gap)
   sample.highest = observed.elevation;
   sample.age = std::abs(observed.time);
   sample.fade = FadeOf(sample.age, gap);
-  return sample;
 }
 
 } // namespace
@@ -639,9 +637,10 @@ ColumnDirection DirectionAt(
   return {azimuth, std::sqrt(along * along + across * across)};
 }
 
-TiltSample SampleTilt(const std::vector<BeamTilt>& tilts, std::size_t number,
+// Samples are filled where they stand, not handed on: a copy would wait for what was just written.
+void SampleTilt(const std::vector<BeamTilt>& tilts, std::size_t number,
   const ColumnDirection& column, const SamplingContext& context, const ColumnMotion* motion,
-  bool nothingAbout)
+  bool nothingAbout, TiltSample& sample)
 {
   const BeamTilt& tilt = tilts[number];
   FoundObservation before;
@@ -651,7 +650,6 @@ TiltSample SampleTilt(const std::vector<BeamTilt>& tilts, std::size_t number,
   const ObservedDetail detail = follow ? ObservedDetail::Circumstances : ObservedDetail::All;
   FindObserved(tilt.before, column, context, false, detail, before);
   FindObserved(tilt.after, column, context, true, detail, after);
-  TiltSample sample;
   if (before.observation == nullptr || after.observation == nullptr)
   {
     FoundObservation& alone = before.observation == nullptr ? after : before;
@@ -665,9 +663,9 @@ TiltSample SampleTilt(const std::vector<BeamTilt>& tilts, std::size_t number,
     }
     if (alone.observation != nullptr)
     {
-      sample = SampleOf(alone.observed, context.gap);
+      SampleOf(alone.observed, context.gap, sample);
     }
-    return sample;
+    return;
   }
   sample.lowest = std::min(before.observed.elevation, after.observed.elevation);
   sample.highest = std::max(before.observed.elevation, after.observed.elevation);
@@ -689,7 +687,7 @@ TiltSample SampleTilt(const std::vector<BeamTilt>& tilts, std::size_t number,
   if (first.state == VoxelState::NoEcho && second.state == VoxelState::NoEcho)
   {
     sample.state = VoxelState::NoEcho;
-    return sample;
+    return;
   }
   float share = ShareOfAfter(first, second, context.gap);
   if (moved && context.rule.zeroIsNone && !context.rule.linear)
@@ -697,7 +695,6 @@ TiltSample SampleTilt(const std::vector<BeamTilt>& tilts, std::size_t number,
     share = ShareAmongCells(first, second, share);
   }
   BlendTimes(first, second, share, context, sample);
-  return sample;
 }
 
 } // namespace nexrad

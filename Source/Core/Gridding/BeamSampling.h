@@ -95,9 +95,9 @@ inline float FadeOf(float age, float gap)
   return std::clamp(3.0F * (1.0F - age / gap), 0.0F, 1.0F);
 }
 
-/// Samples one of a radar's tilts over a column: bilinear in azimuth and range in the last
-/// observation at or before the time and in the first one after it, then linear in time (Formulas
-/// G2, G6, A1).
+/// Samples one of a radar's tilts over a column into `sample`, which must be as it is made:
+/// bilinear in azimuth and range in the last observation at or before the time and in the first one
+/// after it, then linear in time (Formulas G2, G6, A1).
 ///
 /// With a motion, both observations are sampled where the column's echo was and will be, when both
 /// have an echo or no echo there (A2a). They are sampled on the tilt, whose height differs there,
@@ -108,8 +108,8 @@ inline float FadeOf(float age, float gap)
 ///
 /// `nothingAbout`: no observation of the tilt has anything but no echo within the distance that
 /// echo may move, so that none needs to be shifted.
-TiltSample SampleTilt(const std::vector<BeamTilt>& tilts, std::size_t number,
-  const ColumnDirection& column, const SamplingContext& context,
-  const ColumnMotion* motion = nullptr, bool nothingAbout = false);
+void SampleTilt(const std::vector<BeamTilt>& tilts, std::size_t number,
+  const ColumnDirection& column, const SamplingContext& context, const ColumnMotion* motion,
+  bool nothingAbout, TiltSample& sample);
 
 } // namespace nexrad

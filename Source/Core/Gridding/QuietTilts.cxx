@@ -122,7 +122,8 @@ struct TiltLimits
     const auto covers = [t](const ObservationLimits& each) { return each.Covers(t); };
     const auto isBeyond = [t](const ObservationLimits& each) { return each.IsBeyond(t); };
     const bool covered = count && std::any_of(observations.begin(), observations.end(), covers);
-    if ((covered && inFull) || SampleQuiet(quiet, {0.0F, t}, context))
+    TiltSample ofAnyRay;
+    if ((covered && inFull) || SampleQuiet(quiet, {0.0F, t}, context, ofAnyRay))
     {
       return QuietZones::Tilt::NoEcho;
     }
@@ -192,8 +193,8 @@ QuietTilt FindQuiet(const BeamTilt& tilt, const SamplingContext& context)
   return quiet;
 }
 
-std::optional<TiltSample> SampleQuiet(
-  const QuietTilt& quiet, const ColumnDirection& column, const SamplingContext& context)
+bool SampleQuiet(const QuietTilt& quiet, const ColumnDirection& column,
+  const SamplingContext& context, TiltSample& sample)
 {
   const float t = column.halfTangent;
   const bool inside = t > quiet.nearest && t < quiet.farthest;
@@ -203,17 +204,16 @@ std::optional<TiltSample> SampleQuiet(
                              BeyondReach(*quiet.after, column, context) == VoxelState::NoEcho;
   if (quiet.before == nullptr || !(inside || nothingBeyond))
   {
-    return std::nullopt;
+    return false;
   }
   const float before = ElevationOf(*quiet.before, FindRays(*quiet.before, column.azimuth));
   const float after = ElevationOf(*quiet.after, FindRays(*quiet.after, column.azimuth));
-  TiltSample sample;
   sample.state = VoxelState::NoEcho;
   sample.assumed = !inside;
   sample.lowest = std::min(before, after);
   sample.highest = std::max(before, after);
   sample.fade = 1.0F;
-  return sample;
+  return true;
 }
 
 QuietZones::QuietZones(const std::vector<BeamTilt>& ofRadar, const std::vector<QuietTilt>& quiet,

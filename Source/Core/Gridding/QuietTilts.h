@@ -28,9 +28,9 @@ struct QuietTilt
 QuietTilt FindQuiet(const BeamTilt& tilt, const SamplingContext& context);
 
 /// SampleTilt for a column about which no sweep as high as `quiet.elevation` holds anything but no
-/// echo, or of a tilt that is alone, no sweep at all; empty where it must be asked.
-std::optional<TiltSample> SampleQuiet(
-  const QuietTilt& quiet, const ColumnDirection& column, const SamplingContext& context);
+/// echo, or of a tilt that is alone, no sweep at all; false where it must be asked.
+bool SampleQuiet(const QuietTilt& quiet, const ColumnDirection& column,
+  const SamplingContext& context, TiltSample& sample);
 
 /// How much an observation must count, at least, that it does is more than rounding.
 constexpr float LeastFade = 1e-4F;

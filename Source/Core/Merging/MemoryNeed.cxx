@@ -87,7 +87,7 @@ VolumeUse UseOf(const MergeOptions& options, const InputSizes& inputs, const Vol
 std::size_t VoxelBytes(
   const MergeOptions& options, const std::array<int, 3>& dimensions, const VolumeUse& use)
 {
-  const std::size_t ofMoments = options.moments.size() * BytesOfAVoxel(options);
+  const std::size_t ofMoments = BytesOfAVoxel(options);
   const bool thesis = options.method == MergeMethod::Thesis;
   const std::size_t ofMerge = thesis ? ThesisBytesAVoxel : 0;
   double voxels = static_cast<double>(ofMoments * (1 + use.others) + use.bytesAVoxel + ofMerge);
@@ -172,12 +172,18 @@ const MemoryNeed& Require(
 
 std::size_t BytesOfAVoxel(const MergeOptions& options)
 {
-  std::size_t bytes = sizeof(float) + sizeof(VoxelState);
+  std::size_t further = 0;
   if (options.beam.ancillary)
   {
     const AncillaryArrays none;
-    ForEachAncillaryArray(none, [&bytes](const char*, const auto& values)
-      { bytes += sizeof(typename std::decay_t<decltype(values)>::value_type); });
+    ForEachAncillaryArray(none, [&further](const char*, const auto& values)
+      { further += sizeof(typename std::decay_t<decltype(values)>::value_type); });
+  }
+  std::size_t bytes = 0;
+  for (const MomentName moment : options.moments)
+  {
+    const bool coded = options.method == MergeMethod::Beam && HasCodes(options.beam, moment);
+    bytes += further + (coded ? sizeof(std::uint8_t) : sizeof(float) + sizeof(VoxelState));
   }
   return bytes;
 }

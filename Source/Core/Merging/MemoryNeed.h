@@ -38,7 +38,7 @@ struct MemoryNeed
   std::size_t Total() const { return voxels + geometry + rays + means + program; }
 };
 
-/// Bytes of each voxel of one moment of a merged volume, with what the options add to it.
+/// Bytes of each voxel of a merged volume of all moments, with what the options add to it.
 std::size_t BytesOfAVoxel(const MergeOptions& options);
 
 /// What is known of the input files before any of them is decoded.

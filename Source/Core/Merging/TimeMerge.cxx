@@ -55,7 +55,8 @@ bool AreSame(const BeamMergeOptions& a, const BeamMergeOptions& b)
   others.beam = b;
   const bool sameInCode = a.maximumGap == b.maximumGap && a.beamWidth == b.beamWidth &&
                           a.beam.EffectiveRadius() == b.beam.EffectiveRadius() &&
-                          a.means == b.means && a.trend == b.trend; // are no settings
+                          a.means == b.means && a.trend == b.trend &&
+                          a.codes == b.codes; // are no settings
   return sameInCode && AreSame(MergeSettings(), settings, others);
 }
 

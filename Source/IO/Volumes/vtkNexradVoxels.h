@@ -8,8 +8,8 @@
 #ifndef vtkNexradVoxels_h
 #define vtkNexradVoxels_h
 
-#include "nexrad/Codec/MomentCode.h"
 #include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/Grid/MomentCode.h"
 #include "nexrad/System/Error.h"
 
 #include <vtkFloatArray.h>

@@ -130,7 +130,8 @@ Scatter ScatterOf(const BeamSweep& sweep, const CellMeans& cells)
     const double distance = cells.Distance(cell);
     if (distance >= 20e3 && distance < 100e3 && sum.gates >= 8 && sum.Mean() >= 5.0)
     {
-      const TiltSample sample = SampleTilt({tilt}, 0, cells.Middle(cell), context);
+      TiltSample sample;
+      SampleTilt({tilt}, 0, cells.Middle(cell), context, nullptr, false, sample);
       const double value =
         sample.state == VoxelState::Echo ? std::max(0.0, static_cast<double>(sample.value)) : 0.0;
       scatter.Add(value - sum.Mean());

@@ -127,7 +127,9 @@ float SampleAt(const BeamSweep& sweep, double azimuth, double range)
   const auto turned = static_cast<float>(azimuth < 0.0 ? azimuth + 360.0 : azimuth);
   const ColumnDirection column{
     turned < 360.0F ? turned : 0.0F, static_cast<float>(std::tan(halfway))};
-  return SampleTilt({tilt}, 0, column, context).value;
+  TiltSample sample;
+  SampleTilt({tilt}, 0, column, context, nullptr, false, sample);
+  return sample.value;
 }
 
 } // namespace

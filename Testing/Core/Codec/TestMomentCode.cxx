@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Codec/MomentCode.h"
+#include "nexrad/Grid/MomentCode.h"
 
 #include "VolumeMaker.h"
 #include "nexrad/System/Error.h"

@@ -2,6 +2,7 @@
 // Files with several moments.
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/Grid/MomentCode.h"
 
 #include "Comparison/VolumeComparison.h"
 #include "ErrorMessage.h"
@@ -10,6 +11,9 @@
 #include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
 
 using namespace nexrad;
 using nexrad::testing::AddAncillary;
@@ -42,6 +46,72 @@ std::vector<GriddedVolume> MakeMoments()
 }
 
 } // namespace
+
+namespace
+{
+
+// Voxels of all states, of an echo that is no number, and of more bytes than a piece has.
+GriddedVolume AllStates()
+{
+  GriddedVolume volume = MakeGriddedVolume({160, 100, 80});
+  for (std::size_t i = 0; i < volume.states.size(); ++i)
+  {
+    volume.states[i] = static_cast<VoxelState>(i * i / 7 % 5);
+    const bool echo = volume.states[i] == VoxelState::Echo;
+    volume.values[i] = echo ? static_cast<float>(i % 900) / 10.0F - 10.0F : volume.fill;
+  }
+  std::fill_n(volume.states.begin() + 1'048'000, 1'000, VoxelState::Filtered);
+  std::fill_n(volume.values.begin() + 1'048'000, 1'000, volume.fill);
+  volume.states[17] = VoxelState::Echo;
+  volume.values[17] = std::numeric_limits<float>::quiet_NaN();
+  return volume;
+}
+
+// The same with codes in place of values and states.
+GriddedVolume Coded(const GriddedVolume& volume)
+{
+  GriddedVolume coded = volume;
+  coded.codes.resize(volume.values.size());
+  MomentCode::Widest(volume.moment).WriteBytes(volume, 0, coded.codes.size(), coded.codes.data());
+  for (std::size_t i = 0; i < volume.states.size();)
+  {
+    const auto begin = volume.states.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto count = static_cast<std::size_t>(
+      std::find_if(begin, volume.states.end(), [&](VoxelState state) { return state != *begin; }) -
+      begin);
+    if (*begin == VoxelState::Filtered || *begin == VoxelState::RangeFolded)
+    {
+      coded.statesBesideCodes.push_back({i, count, *begin});
+    }
+    i += count;
+  }
+  coded.values.clear();
+  coded.states.clear();
+  return coded;
+}
+
+} // namespace
+
+// A volume of codes is written as the one of values and states would be.
+TEST(NxvMoments, CodesOfAMergeMakeTheSameFile)
+{
+  const TemporaryFolder folder;
+  for (const MomentName moment : {MomentName::REF, MomentName::SW})
+  {
+    for (const bool folded : {true, false})
+    {
+      GriddedVolume volume = AllStates();
+      volume.moment = moment;
+      const VoxelState other = folded ? VoxelState::RangeFolded : VoxelState::NoEcho;
+      std::replace(volume.states.begin(), volume.states.end(), VoxelState::RangeFolded, other);
+      AddAncillary(volume);
+      WriteNxv(folder.Path() / "values.nxv", volume);
+      WriteNxv(folder.Path() / "codes.nxv", Coded(volume));
+      EXPECT_TRUE(
+        FileContent(folder.Path() / "codes.nxv") == FileContent(folder.Path() / "values.nxv"));
+    }
+  }
+}
 
 TEST(NxvMoments, EachIsWhatAFileOfItAloneHolds)
 {

@@ -520,6 +520,80 @@ TEST(BeamMotion, FilteredGatesCountAsRangeFoldedOnes)
   }
 }
 
+namespace
+{
+
+// The states of a volume of codes, which its codes tell or do not.
+std::vector<VoxelState> StatesOfCodes(const GriddedVolume& volume)
+{
+  std::vector<VoxelState> states;
+  for (const std::uint8_t code : volume.codes)
+  {
+    states.push_back(MomentCode::StateOf(code));
+  }
+  for (const StateRun& run : volume.statesBesideCodes)
+  {
+    std::fill_n(states.begin() + static_cast<std::ptrdiff_t>(run.first), run.count, run.state);
+  }
+  return states;
+}
+
+// Two looks with sectors of echo, no echo, gates that are folded, in the lowest sweep filtered, and
+// none.
+std::vector<PolarVolume> AllKinds()
+{
+  std::vector<PolarVolume> volumes = {FourQuarters(-300.0), FourQuarters(200.0)};
+  for (PolarVolume& volume : volumes)
+  {
+    volume.sweeps.front() = WithFilteredGates(volume).sweeps.front();
+  }
+  return volumes;
+}
+
+} // namespace
+
+// Codes are those that a file has of the values, however many threads make them.
+TEST(BeamMotion, CodesAreThoseOfValuesAndStates)
+{
+  const MotionField motion = MotionField::Constant(velocity);
+  std::vector<BeamMergeOptions> cases(4);
+  cases[1].fillColumns = true;
+  cases[2].ancillary = true;
+  cases[3].strategy = OverlapStrategy::Maximum;
+  for (BeamMergeOptions options : cases)
+  {
+    const GriddedVolume expected = MergeMoving(AllKinds(), 0.0, &motion, FineGrid(), {}, options);
+    std::vector<std::uint8_t> codes(expected.values.size());
+    MomentCode::Of(expected).WriteBytes(expected, 0, codes.size(), codes.data());
+    options.codes = true;
+    for (const RangeLoop& loop : {RangeLoop(), ThreadLoop(3)})
+    {
+      const GriddedVolume found = MergeMoving(AllKinds(), 0.0, &motion, FineGrid(), loop, options);
+      EXPECT_TRUE(found.values.empty() && found.states.empty());
+      EXPECT_TRUE(found.codes == codes);
+      EXPECT_TRUE(StatesOfCodes(found) == expected.states);
+      EXPECT_TRUE(std::is_sorted(found.statesBesideCodes.begin(), found.statesBesideCodes.end(),
+        [](const StateRun& one, const StateRun& next) { return one.first < next.first; }));
+      EXPECT_TRUE(found.ancillary.weight == expected.ancillary.weight);
+    }
+    EXPECT_GT(std::count(expected.states.begin(), expected.states.end(), VoxelState::Filtered), 99);
+    EXPECT_GT(
+      std::count(expected.states.begin(), expected.states.end(), VoxelState::RangeFolded), 99);
+  }
+}
+
+// How many bytes a velocity needs depends on all voxels.
+TEST(BeamMotion, VelocityHasNoCodes)
+{
+  std::vector<PolarVolume> volumes = AllKinds();
+  volumes[0].moment = volumes[1].moment = MomentName::VEL;
+  BeamMergeOptions options;
+  options.codes = true;
+  const GriddedVolume found = MergeMoving(volumes, 0.0, nullptr, FineGrid(), {}, options);
+  EXPECT_TRUE(found.codes.empty());
+  EXPECT_EQ(found.values.size(), found.grid.VoxelCount());
+}
+
 TEST(BeamMotion, RefusesTheMotionOfAnotherGrid)
 {
   MotionField motion;

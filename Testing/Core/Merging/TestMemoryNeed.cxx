@@ -52,6 +52,16 @@ TEST(MemoryNeed, CountsTheBytesOfVoxels)
   EXPECT_EQ(Need(options).voxels, voxels * (2 * 30 + 2));
 }
 
+// A code takes the place of value and state, but for a velocity.
+TEST(MemoryNeed, CodesTakeAByte)
+{
+  MergeOptions options;
+  options.beam.codes = true;
+  EXPECT_EQ(Need(options).voxels, voxels * (2 * 1 + 2));
+  options.moments = {MomentName::REF, MomentName::VEL};
+  EXPECT_EQ(Need(options).voxels, voxels * (2 * 6 + 2));
+}
+
 TEST(MemoryNeed, OfOneTimeThereIsOneVolume)
 {
   MergeOptions options;

@@ -13,22 +13,6 @@
 namespace nexrad
 {
 
-/// The number that four bytes of an .nxv file stand for.
-inline std::uint32_t LittleEndian(const std::uint8_t* bytes)
-{
-  return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8 |
-         static_cast<std::uint32_t>(bytes[2]) << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
-}
-
-/// Adds the four bytes of a number.
-inline void AppendLittleEndian(std::uint32_t word, std::vector<std::uint8_t>& to)
-{
-  for (unsigned shift = 0; shift < 32; shift += 8)
-  {
-    to.push_back(static_cast<std::uint8_t>(word >> shift));
-  }
-}
-
 /// Calls `visit(i)` for each of the `count` voxels that is an echo, in ascending order. Few voxels
 /// hold an echo; the library looks for the next one many at a time.
 template <class Visit>
@@ -69,7 +53,7 @@ struct MomentCode
   /// ±0.3277/s by 0.00001/s, KDP ±327.67 degrees/km by 0.01, these in 16 bits.
   static MomentCode Of(const GriddedVolume& volume);
 
-  /// The same where it is not known how fast the echoes are: velocities in 16 bits.
+  /// The same where the voxels are not known: velocities in 16 bits.
   static MomentCode Widest(MomentName moment);
 
   /// The code of an echo. What lies beyond the first or last code gets that: an echo stays an echo.
@@ -80,6 +64,10 @@ struct MomentCode
   /// The value of an echo's code.
   float ValueOf(unsigned code) const { return static_cast<float>(offset + scale * code); }
 
+  /// Writes a byte of the code of each of `count` voxels: the lower one (`shift` 0), or the higher
+  /// one (`shift` 8).
+  void WriteBytes(const float* values, const VoxelState* states, std::size_t count, unsigned shift,
+    std::uint8_t* to) const;
   /// Writes the bytes [first, first + count) of the codes of all voxels to `to`: these are a byte
   /// each, or the lower bytes of all and then the higher bytes of all.
   void WriteBytes(
@@ -102,7 +90,8 @@ struct VoxelCodes
 void ExpandCodes(const VoxelCodes& meaning, const std::uint8_t* codes, std::size_t count,
   float* values, VoxelState* states, const RangeLoop& loop = {});
 
-/// Throws Error unless the volume has one value and one state for each voxel of its grid.
+/// Throws Error unless the volume has one value and one state, or a code, for each voxel of its
+/// grid.
 void CheckVoxelCount(const GriddedVolume& volume);
 
 } // namespace nexrad

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Codec/MomentCode.h"
+#include "nexrad/Grid/MomentCode.h"
 
 #include "nexrad/System/Error.h"
 
@@ -96,6 +96,17 @@ VoxelState MomentCode::StateOf(unsigned code)
   }
 }
 
+void MomentCode::WriteBytes(const float* values, const VoxelState* states, std::size_t count,
+  unsigned shift, std::uint8_t* to) const
+{
+  const auto codeOf = [shift](VoxelState state)
+  { return state == VoxelState::NotScanned ? NotScannedCode >> shift : NoEchoCode; };
+  std::transform(states, states + count, to,
+    [&codeOf](VoxelState state) { return static_cast<std::uint8_t>(codeOf(state)); });
+  ForEachEcho(states, count,
+    [&](std::size_t i) { to[i] = static_cast<std::uint8_t>(this->Encode(values[i]) >> shift); });
+}
+
 void MomentCode::WriteBytes(
   const GriddedVolume& volume, std::size_t first, std::size_t count, std::uint8_t* to) const
 {
@@ -103,14 +114,7 @@ void MomentCode::WriteBytes(
   const std::size_t lower = first < voxels ? std::min(count, voxels - first) : 0;
   const auto write = [&](std::size_t voxel, std::size_t length, unsigned shift)
   {
-    const VoxelState* states = volume.states.data() + voxel;
-    const auto codeOf = [shift](VoxelState state)
-    { return state == VoxelState::NotScanned ? NotScannedCode >> shift : NoEchoCode; };
-    std::transform(states, states + length, to,
-      [&codeOf](VoxelState state) { return static_cast<std::uint8_t>(codeOf(state)); });
-    ForEachEcho(states, length,
-      [&](std::size_t i)
-      { to[i] = static_cast<std::uint8_t>(this->Encode(volume.values[voxel + i]) >> shift); });
+    this->WriteBytes(volume.values.data() + voxel, volume.states.data() + voxel, length, shift, to);
     to += length;
   };
   write(first, lower, 0);
@@ -158,6 +162,10 @@ void ExpandCodes(const VoxelCodes& meaning, const std::uint8_t* codes, std::size
 void CheckVoxelCount(const GriddedVolume& volume)
 {
   const std::size_t voxels = volume.grid.VoxelCount();
+  if (voxels > 0 && volume.codes.size() == voxels)
+  {
+    return;
+  }
   if (voxels == 0 || volume.values.size() != voxels || volume.states.size() != voxels)
   {
     throw Error("a volume of " + std::to_string(voxels) + " voxels with " +
