@@ -141,6 +141,7 @@ private:
     bool layers = false;
     const QuietZones::Tilt* known = nullptr; // of each tilt where none has an echo; or nullptr
     ColumnMotion motion;
+    std::size_t tilts = 0; // that matter
     bool quiet = false;
     bool inFull = false; // where it is quiet: near enough in time to count so
     std::size_t firstTilt = 0;
@@ -215,10 +216,11 @@ private:
       TiltSample* to = samples[seen.site].data() + tilt;
       for (int i = seen.begin; i < seen.end; ++i)
       {
-        if (!about[static_cast<std::size_t>(i)].quiet)
+        const Surroundings& here = about[static_cast<std::size_t>(i)];
+        if (!here.quiet && tilt < here.tilts)
         {
-          this->SampleColumn(site, tilt, directions[i - seen.begin],
-            about[static_cast<std::size_t>(i)], to[static_cast<std::size_t>(i) * tilts]);
+          this->SampleColumn(
+            site, tilt, directions[i - seen.begin], here, to[static_cast<std::size_t>(i) * tilts]);
         }
       }
     }
@@ -251,6 +253,18 @@ private:
     const Surroundings& about = surroundings[number][static_cast<std::size_t>(place)];
     return column.QuietLevels(
       this->SeenBy(number, halfTangent, x, y, place, false), about.firstTilt, about.endTilt);
+  }
+
+  // Of the tilts that surely pass above the grid two matter: echo falls towards the first one, and
+  // follows the second one (Formulas G8, G11).
+  static std::size_t CountTilts(const MergeSite& site, const ColumnDirection& direction)
+  {
+    std::size_t count = site.edges.size();
+    while (count > 2 && site.levels.AreBelow(site.edges[count - 3].tangent, direction.halfTangent))
+    {
+      --count;
+    }
+    return count;
   }
 
   // Whether gates of a radar hold anything about a column but no echo.
@@ -290,6 +304,7 @@ private:
       about.top = site.mask.TopOver(directions[i]);
       about.layers = site.layers.AnyAt(directions[i]);
       about.known = site.zones.At(directions[i]);
+      about.tilts = CountTilts(site, directions[i]);
       if ((about.top > 0 || about.layers) && options.motion != nullptr)
       {
         about.motion = MotionSeenBy(site, directions[i], options.motion->At(x + i, y));
@@ -314,7 +329,7 @@ private:
     }
     about.firstTilt = about.endTilt = 0;
     about.inFull = true;
-    for (std::size_t tilt = 0; tilt < site.tilts.size(); ++tilt)
+    for (std::size_t tilt = 0; tilt < about.tilts; ++tilt)
     {
       bool none = HasNoEcho(known[tilt]);
       about.inFull = about.inFull && known[tilt] != QuietZones::Tilt::AgingNoEcho;
