@@ -88,16 +88,28 @@ float LongestTime(const std::vector<TiltObservation>& observations, bool after)
   return longest;
 }
 
-// Metres that echo over a block may move between the time and any observation of these tilts.
-double FarthestWay(
-  const std::vector<BeamTilt>& tilts, const MotionField& motion, const VoxelBlock& block)
+// Where a radar has echo that counts in the sample of a column, once it has moved. Gates count that
+// are so far away, but for one gate or ray beside.
+void FindEcho(double effectiveRadius, double fastest, MergeSite& site)
 {
-  float longest = 0.0F; // s
-  for (const BeamTilt& tilt : tilts)
+  for (const BeamTilt& tilt : site.tilts)
   {
-    longest = std::max({longest, LongestTime(tilt.before, false), LongestTime(tilt.after, true)});
+    site.since = std::max(site.since, LongestTime(tilt.before, false));
+    site.until = std::max(site.until, LongestTime(tilt.after, true));
   }
-  return motion.FastestSpeedIn(block) * static_cast<double>(longest);
+  const double spread =
+    LargestOf(site.volumes, [](const BeamSweep& sweep) { return sweep.means.spread; });
+  std::vector<const VolumeComposite*> composites;
+  for (const BeamVolume* volume : site.volumes)
+  {
+    composites.push_back(&volume->composite);
+  }
+  const double way = fastest * static_cast<double>(std::max(site.since, site.until));
+  site.mask = EchoMask(composites, effectiveRadius, way + spread);
+  if (way > MergeSite::NearDistance)
+  {
+    site.nearMask = EchoMask(composites, effectiveRadius, MergeSite::NearDistance + spread);
+  }
 }
 
 // The volumes of each radar.
@@ -383,7 +395,7 @@ std::optional<MergeSite> BeamMerger::MakeSite(int number,
     LargestOf(volumes, [](const BeamSweep& sweep) { return sweep.Reach(); }));
   MergeSite site{number, position, volumes,
     SiteLevels(grid, position.altitude, radius, byDistance ? options.overlapLength : 0.0), tilts,
-    {}, ContextFor(any, options, radius), HalfTangentAt(reach, radius), {}, {}, {}, {}, {}, {}};
+    {}, ContextFor(any, options, radius), HalfTangentAt(reach, radius)};
   const double beamWidth = options.beamWidth.value_or(BeamWidthOf(any.site));
   std::vector<float> elevations;
   for (const BeamTilt& tilt : site.tilts)
@@ -397,17 +409,8 @@ std::optional<MergeSite> BeamMerger::MakeSite(int number,
   {
     site.layers = SiteLayers(volumes, site.tilts, time);
   }
-  // Gates count in the sample of a column that is so far away, but for one gate or ray beside.
-  const double spread =
-    LargestOf(volumes, [](const BeamSweep& sweep) { return sweep.means.spread; });
   const VoxelBlock about = SiteGeometry::ColumnsAbout(grid, position, reach);
-  const double way = motion != nullptr ? FarthestWay(site.tilts, *motion, about) : 0.0;
-  std::vector<const VolumeComposite*> composites;
-  for (const BeamVolume* volume : volumes)
-  {
-    composites.push_back(&volume->composite);
-  }
-  site.mask = EchoMask(composites, radius, way + spread);
+  FindEcho(radius, motion != nullptr ? motion->FastestSpeedIn(about) : 0.0, site);
   site.north = NorthIn(grid, position);
   return site;
 }

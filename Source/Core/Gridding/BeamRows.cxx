@@ -141,7 +141,9 @@ private:
     bool layers = false;
     const QuietZones::Tilt* known = nullptr; // of each tilt where none has an echo; or nullptr
     ColumnMotion motion;
-    std::size_t tilts = 0; // that matter
+    float way = 0.0F;          // of tan(γ/2), that the echo moves at most
+    std::uint8_t topAlong = 0; // as top, along that way
+    std::size_t tilts = 0;     // that matter
     bool quiet = false;
     bool inFull = false; // where it is quiet: near enough in time to count so
     std::size_t firstTilt = 0;
@@ -255,6 +257,26 @@ private:
       this->SeenBy(number, halfTangent, x, y, place, false), about.firstTilt, about.endTilt);
   }
 
+  // What the radar has where the echo over the column stood or will stand at the time of any ray.
+  static void LookAlong(const MergeSite& site, const ColumnDirection& column, Surroundings& about)
+  {
+    const float apart = 0.95F * static_cast<float>(MergeSite::NearDistance) /
+                        site.context.effectiveRadius; // of the places looked at
+    const float speed = std::hypot(about.motion.away, about.motion.clockwise);
+    const float seconds = site.since + site.until;
+    const int places = 1 + static_cast<int>(seconds * speed / apart);
+    const float step = seconds / static_cast<float>(places);
+    about.way = speed * std::max(site.since, site.until);
+    about.topAlong = 0;
+    for (int i = 0; i < places && about.topAlong < about.top; ++i)
+    {
+      const float time = (static_cast<float>(i) + 0.5F) * step - site.since;
+      const ColumnDirection place = nexrad::DirectionAt(column, about.motion, time);
+      about.topAlong = std::max(about.topAlong, site.nearMask.TopOver(place));
+    }
+    about.topAlong = std::min(about.topAlong, about.top);
+  }
+
   // Of the tilts that surely pass above the grid two matter: echo falls towards the first one, and
   // follows the second one (Formulas G8, G11).
   static std::size_t CountTilts(const MergeSite& site, const ColumnDirection& direction)
@@ -308,6 +330,7 @@ private:
       if ((about.top > 0 || about.layers) && options.motion != nullptr)
       {
         about.motion = MotionSeenBy(site, directions[i], options.motion->At(x + i, y));
+        this->LookAlong(site, directions[i], about);
       }
       TiltSample* to = samples[number].data() + static_cast<std::size_t>(i) * site.tilts.size();
       this->FindQuietTilts(site, directions[i], about, to);
@@ -375,9 +398,13 @@ private:
       return;
     }
     const QuietTilt& quiet = site.quiet[tilt];
-    const ColumnMotion* motion =
-      about.top > 0 && options.motion != nullptr ? &about.motion : nullptr;
-    if (about.top >= quiet.elevation)
+    const bool moves = about.top > 0 && options.motion != nullptr;
+    const ColumnMotion* motion = moves ? &about.motion : nullptr;
+    // Where both observations have gates all along the way, what lies beside it does not matter.
+    const bool along = moves && !quiet.alone && quiet.before != nullptr &&
+                       direction.halfTangent - about.way > quiet.nearest &&
+                       direction.halfTangent + about.way < quiet.farthest;
+    if ((along ? about.topAlong : about.top) >= quiet.elevation)
     {
       SampleTilt(site.tilts, tilt, direction, site.context, motion, false, sample);
       return;

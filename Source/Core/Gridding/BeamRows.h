@@ -33,11 +33,16 @@ struct MergeSite
   float reach =
     0.0F; ///< tan(γ/2) of the farthest gate of any observation; columns beyond it are not scanned
   std::array<double, 2> north = {0.0, 1.0}; ///< the radar's north in the grid's directions
-  std::vector<QuietTilt> quiet;             ///< of the tilts
+  std::vector<QuietTilt> quiet = {};        ///< of the tilts
   std::uint8_t lowestQuiet = 0;             ///< the lowest QuietTilt::elevation
-  QuietZones zones;                         ///< none where a radar's weight may be 0
-  SiteLayers layers;                        ///< none unless they are followed
-  EchoMask mask;                            ///< where echo is, or may move from or to
+  QuietZones zones = {};                    ///< none where a radar's weight may be 0
+  SiteLayers layers = {};                   ///< none unless they are followed
+  EchoMask mask = {};                       ///< where echo is, or may move from or to
+  EchoMask nearMask = {};                   ///< where echo is, or up to NearDistance away
+  float since = 0.0F; ///< s from the farthest ray before the time that may be needed
+  float until = 0.0F; ///< s to the farthest one after it
+
+  static constexpr double NearDistance = 1'500.0; ///< m
 };
 
 /// A radar of a merge over the block that is made.
