@@ -28,8 +28,8 @@ enum class StreamFormat
 /// The format that the first bytes announce.
 StreamFormat DetectStream(ByteView bytes);
 
-/// Decompresses bzip2 streams one after another. The memory that they come out into is kept between
-/// them, so that each result is allocated once, in its size.
+/// Decompresses bzip2 streams one after another. The memory for that is kept between them, and each
+/// result is allocated in its size.
 class Bzip2Reader
 {
 public:

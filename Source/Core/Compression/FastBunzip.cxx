@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,15 @@ constexpr unsigned mostTables = 6;
 constexpr unsigned symbolsPerSelector = 50;
 constexpr std::size_t blockUnit = 100'000; // bytes of a block, times the level
 constexpr std::size_t shortestCountedRun = 4;
+
+// Compilers make one load of it.
+std::uint64_t U64(const std::uint8_t* bytes)
+{
+  return std::uint64_t(bytes[0]) << 56 | std::uint64_t(bytes[1]) << 48 |
+         std::uint64_t(bytes[2]) << 40 | std::uint64_t(bytes[3]) << 32 |
+         std::uint64_t(bytes[4]) << 24 | std::uint64_t(bytes[5]) << 16 |
+         std::uint64_t(bytes[6]) << 8 | std::uint64_t(bytes[7]);
+}
 
 // Bits of a stream, the highest of each byte first. Beyond the end come zeros; Position tells.
 class BitReader
@@ -69,6 +79,13 @@ public:
 private:
   void Fill()
   {
+    if (next + sizeof bits <= size)
+    {
+      bits |= U64(data + next) >> available;
+      next += (63 - available) / 8;
+      available |= 56;
+      return;
+    }
     while (available <= 56)
     {
       const std::uint64_t byte = next < size ? data[next] : 0;
@@ -168,7 +185,7 @@ private:
   std::array<std::uint16_t, mostSymbols> sorted;      // symbols by their codes
 };
 
-// Checksums of eight bytes at a time; table n is that of a byte n bytes before the end.
+// Checksums of sixteen bytes at a time; table n is that of a byte n bytes before the end.
 class Checksum
 {
 public:
@@ -196,11 +213,15 @@ public:
   std::uint32_t Of(const std::uint8_t* bytes, std::size_t size) const
   {
     std::uint32_t value = 0xFFFFFFFFU;
-    for (; size >= 8; bytes += 8, size -= 8)
+    for (; size >= step; bytes += step, size -= step)
     {
-      value = tables[7][value >> 24 ^ bytes[0]] ^ tables[6][(value >> 16 & 255) ^ bytes[1]] ^
-              tables[5][(value >> 8 & 255) ^ bytes[2]] ^ tables[4][(value & 255) ^ bytes[3]] ^
-              tables[3][bytes[4]] ^ tables[2][bytes[5]] ^ tables[1][bytes[6]] ^ tables[0][bytes[7]];
+      std::uint32_t next = 0;
+      for (std::size_t i = 0; i < step; ++i)
+      {
+        const std::uint32_t before = i < 4 ? value >> (24 - 8 * i) & 255 : 0;
+        next ^= tables[step - 1 - i][before ^ bytes[i]];
+      }
+      value = next;
     }
     for (; size > 0; ++bytes, --size)
     {
@@ -210,13 +231,14 @@ public:
   }
 
 private:
-  std::array<std::array<std::uint32_t, 256>, 8> tables;
+  static constexpr std::size_t step = 16; // bytes
+  std::array<std::array<std::uint32_t, 256>, step> tables;
 };
 
 // The codes of a block, and which of them is used where.
 struct BlockCodes
 {
-  std::array<std::uint8_t, 256> bytes; // that occur, in order
+  std::array<std::uint8_t, 256> bytes{}; // that occur, in order
   unsigned byteCount = 0;
   std::array<CodeTable, mostTables> tables;
   std::vector<std::uint8_t> selectors;
@@ -312,12 +334,71 @@ private:
   unsigned digits = 0;
 };
 
-// The last column of a block and how often each byte occurs in it. Returns its size.
-std::size_t ReadColumn(BitReader& bits, const BlockCodes& codes, std::size_t largest,
-  std::vector<std::uint8_t>& column, std::array<std::uint32_t, 256>& counts)
+// The bytes of a block, the last used one first. Most symbols mean one of the first sixteen. These
+// are two numbers, in which bytes move without a branch: nobody can guess where the next one
+// stands.
+class RecentBytes
 {
+public:
+  explicit RecentBytes(const std::array<std::uint8_t, 256>& bytes)
+    : all(bytes)
+  {
+    for (unsigned place = perNumber; place-- > 0;)
+    {
+      first = first << 8 | bytes[place];
+      second = second << 8 | bytes[place + perNumber];
+    }
+  }
+
+  std::uint8_t First() const { return static_cast<std::uint8_t>(first); }
+
+  // The byte at a place, which becomes the first one.
+  std::uint8_t Use(unsigned place)
+  {
+    if (place >= 2 * perNumber)
+    {
+      return this->UseLater(place);
+    }
+    const unsigned shift = 8 * (place % perNumber);
+    const std::uint64_t inSecond = place < perNumber ? 0 : everyBit;
+    const std::uint64_t byte = ((first ^ ((first ^ second) & inSecond)) >> shift) & 255;
+    const std::uint64_t moved = (std::uint64_t(256) << shift) - 1; // that byte and those before
+    Replace(second, second << 8 | first >> lastShift, moved & inSecond);
+    Replace(first, first << 8 | byte, moved | inSecond);
+    return static_cast<std::uint8_t>(byte);
+  }
+
+private:
+  static void Replace(std::uint64_t& bits, std::uint64_t by, std::uint64_t mask)
+  {
+    bits ^= (bits ^ by) & mask;
+  }
+  std::uint8_t UseLater(unsigned place)
+  {
+    const std::uint8_t byte = all[place];
+    std::uint8_t* const third = all.data() + 2 * std::size_t(perNumber);
+    std::memmove(third + 1, third, place - 2 * perNumber);
+    *third = static_cast<std::uint8_t>(second >> lastShift);
+    second = second << 8 | first >> lastShift;
+    first = first << 8 | byte;
+    return byte;
+  }
+
+  static constexpr unsigned perNumber = 8;
+  static constexpr unsigned lastShift = 8 * (perNumber - 1);
+  static constexpr std::uint64_t everyBit = ~std::uint64_t(0);
+  std::uint64_t first = 0;           // the first eight, the lowest first
+  std::uint64_t second = 0;          // the next eight
+  std::array<std::uint8_t, 256> all; // those behind at their places
+};
+
+// The last column of a block and how often each byte occurs in it. Returns its size.
+std::size_t ReadColumn(BitReader& stream, const BlockCodes& codes, std::size_t largest,
+  std::uint8_t* column, std::array<std::uint32_t, 256>& counts)
+{
+  BitReader bits = stream; // a local one can stay in registers while the column is written
   const unsigned endOfBlock = codes.byteCount + 1;
-  std::array<std::uint8_t, 256> recent = codes.bytes;
+  RecentBytes recent(codes.bytes);
   counts.fill(0);
   std::size_t size = 0;
   RunCounter run;
@@ -328,8 +409,8 @@ std::size_t ReadColumn(BitReader& bits, const BlockCodes& codes, std::size_t lar
     {
       Refuse();
     }
-    std::memset(column.data() + size, recent[0], length);
-    counts[recent[0]] += static_cast<std::uint32_t>(length);
+    std::memset(column + size, recent.First(), length);
+    counts[recent.First()] += static_cast<std::uint32_t>(length);
     size += length;
   };
   for (const std::uint8_t selector : codes.selectors)
@@ -349,99 +430,93 @@ std::size_t ReadColumn(BitReader& bits, const BlockCodes& codes, std::size_t lar
       }
       if (symbol == endOfBlock)
       {
+        stream = bits;
         return size;
       }
-      if (size == largest || bits.Overrun())
+      if (size == largest)
       {
         Refuse();
       }
-      const unsigned place = symbol - 1;
-      const std::uint8_t byte = recent[place];
-      std::memmove(recent.data() + 1, recent.data(), place);
-      recent[0] = byte;
+      const std::uint8_t byte = recent.Use(symbol - 1);
       column[size++] = byte;
       ++counts[byte];
+    }
+    if (bits.Overrun())
+    {
+      Refuse();
     }
   }
   Refuse();
 }
 
 // Inverts the sorting: each place of the first column points to where its byte stands in the last.
-// Equal bytes stand in both columns in the same order, so a run is one piece of links.
-void MakeLinks(const std::vector<std::uint8_t>& column, std::size_t size,
-  const std::array<std::uint32_t, 256>& counts, std::vector<std::uint32_t>& links)
+// Equal bytes stand in both columns in the same order.
+void MakeLinks(const std::uint8_t* column, std::size_t size,
+  const std::array<std::uint32_t, 256>& counts, std::uint32_t* links)
 {
   std::array<std::uint32_t, 256> places{};
   for (std::size_t byte = 1; byte < 256; ++byte)
   {
     places[byte] = places[byte - 1] + counts[byte - 1];
   }
-  const std::uint8_t* const bytes = column.data();
-  std::uint32_t* const to = links.data();
-  for (std::size_t begin = 0; begin < size;)
+  for (std::uint32_t i = 0; i < size; ++i)
   {
-    const std::uint8_t byte = bytes[begin];
-    std::size_t end = begin + 1;
-    while (end < size && bytes[end] == byte)
-    {
-      ++end;
-    }
-    const std::size_t place = places[byte];
-    const auto from = static_cast<std::uint32_t>(begin << 8);
-    const auto length = static_cast<std::uint32_t>(end - begin);
-    for (std::uint32_t i = 0; i < length; ++i)
-    {
-      to[place + i] = (from + (i << 8)) | bytes[place + i];
-    }
-    places[byte] += length;
-    begin = end;
+    const std::uint8_t byte = column[i];
+    links[places[byte]++] = i << 8 | byte;
   }
 }
 
-void Walk(const std::vector<std::uint32_t>& links, std::uint32_t origin, std::size_t size,
-  std::vector<std::uint8_t>& text)
+// The text of a block. Four equal bytes stand before a count of more of them.
+struct BlockText
 {
-  std::uint32_t at = links[origin] >> 8;
-  std::uint8_t* to = text.data();
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    const std::uint32_t link = links[at];
-    to[i] = static_cast<std::uint8_t>(link);
-    at = link >> 8;
-  }
-}
+  std::unique_ptr<std::uint8_t[]> bytes;
+  std::unique_ptr<std::uint32_t[]> counts; // places of counts in `bytes`
+  std::size_t size = 0;
+  std::size_t countsSize = 0;
+  std::size_t expandedSize = 0;
 
-// Four equal bytes stand before a count of more of them.
-void ExpandRuns(const std::vector<std::uint8_t>& text, std::size_t size, std::size_t maximumBytes,
-  std::vector<std::uint8_t>& output)
-{
-  const std::uint8_t* const from = text.data();
-  std::size_t i = 0;
-  while (i < size)
+  // Each link waits for the one before: finding the counts meanwhile takes no time, as long as no
+  // branch has to be guessed.
+  void Walk(const std::uint32_t* links, std::uint32_t origin, std::size_t linksSize)
   {
-    // Up to the end of the next four equal bytes.
-    std::size_t end = i + 1;
-    std::size_t equal = 1;
-    while (end < size && equal < shortestCountedRun)
+    size = linksSize;
+    countsSize = 0;
+    expandedSize = 0;
+    std::uint32_t at = origin;
+    std::uint8_t before = 0;
+    std::uint32_t equal = 0; // bytes up to the one before
+    for (std::uint32_t i = 0; i < size; ++i)
     {
-      equal = from[end] == from[end - 1] ? equal + 1 : 1;
-      ++end;
+      const std::uint32_t link = links[at];
+      const auto byte = static_cast<std::uint8_t>(link);
+      bytes[i] = byte;
+      counts[countsSize] = i;
+      const bool isCount = equal == shortestCountedRun;
+      countsSize += isCount ? 1 : 0;
+      expandedSize += isCount ? byte : 1;
+      equal = isCount ? 0 : (byte == before ? equal : 0) + 1;
+      before = byte;
+      at = link >> 8;
     }
-    const bool counted = equal == shortestCountedRun;
-    if (counted && end == size)
+    if (equal == shortestCountedRun)
     {
       Refuse(); // no count
     }
-    const std::size_t more = counted ? from[end] : 0;
-    if (end - i + more > maximumBytes - output.size())
-    {
-      Refuse();
-    }
-    output.insert(output.end(), from + i, from + end);
-    output.insert(output.end(), more, from[end - 1]);
-    i = end + (counted ? 1 : 0);
   }
-}
+
+  void AppendTo(std::vector<std::uint8_t>& output) const
+  {
+    const std::uint8_t* from = bytes.get();
+    for (std::size_t i = 0; i < countsSize; ++i)
+    {
+      const std::uint8_t* const count = bytes.get() + counts[i];
+      output.insert(output.end(), from, count);
+      output.insert(output.end(), *count, count[-1]);
+      from = count + 1;
+    }
+    output.insert(output.end(), from, static_cast<const std::uint8_t*>(bytes.get() + size));
+  }
+};
 
 constexpr std::uint64_t blockMark = 0x314159265359;
 constexpr std::uint64_t endMark = 0x177245385090;
@@ -451,21 +526,25 @@ constexpr std::uint64_t endMark = 0x177245385090;
 struct FastBunzip::Memory
 {
   BlockCodes codes;
-  std::size_t largestBlock = 0;     // of the stream in hand; the memory may have room for more
-  std::vector<std::uint8_t> column; // last column of the sorted rotations of a block
-  std::vector<std::uint32_t> links; // of the first column: place of the next byte << 8, own byte
-  std::vector<std::uint8_t> text;   // of a block, in which runs are still counted
+  std::size_t largestBlock = 0; // of the stream in hand
+  std::size_t room = 0;         // for a block
+  // Most blocks fill little of it: memory that is not written takes no time.
+  std::unique_ptr<std::uint8_t[]> column; // last column of the sorted rotations of a block
+  std::unique_ptr<std::uint32_t[]> links; // of the first column: place of the next byte << 8, byte
+  BlockText text;
   std::vector<std::uint8_t> output;
   OffsetMap offsets;
 
   void Begin(std::size_t blockBytes)
   {
     largestBlock = blockBytes;
-    if (column.size() < blockBytes)
+    if (room < blockBytes)
     {
-      column.resize(blockBytes);
-      links.resize(blockBytes);
-      text.resize(blockBytes);
+      room = blockBytes;
+      column.reset(new std::uint8_t[room]);
+      links.reset(new std::uint32_t[room]);
+      text.bytes.reset(new std::uint8_t[room]);
+      text.counts.reset(new std::uint32_t[room / (shortestCountedRun + 1) + 1]);
     }
     output.clear();
     offsets = OffsetMap();
@@ -484,20 +563,35 @@ struct FastBunzip::Memory
     }
     ReadCodes(bits, codes);
     std::array<std::uint32_t, 256> counts;
-    const std::size_t size = ReadColumn(bits, codes, largestBlock, column, counts);
+    const std::size_t size = ReadColumn(bits, codes, largestBlock, column.get(), counts);
     if (origin >= size || bits.Overrun())
     {
       Refuse();
     }
-    MakeLinks(column, size, counts, links);
-    Walk(links, origin, size, text);
+    MakeLinks(column.get(), size, counts, links.get());
+    text.Walk(links.get(), origin, size);
     const std::size_t before = output.size();
-    ExpandRuns(text, size, maximumBytes, output);
+    this->MakeRoom(text.expandedSize, maximumBytes);
+    text.AppendTo(output);
     if (checksum.Of(output.data() + before, output.size() - before) != expected)
     {
       Refuse();
     }
     offsets.Add(output.size(), bits.Position());
+  }
+
+  // In a stream of one block, as most records are, no more than is needed.
+  void MakeRoom(std::size_t bytes, std::size_t maximumBytes)
+  {
+    if (bytes > maximumBytes - output.size())
+    {
+      Refuse();
+    }
+    const std::size_t needed = output.size() + bytes;
+    if (needed > output.capacity())
+    {
+      output.reserve(std::max(needed, 2 * output.capacity()));
+    }
   }
 };
 
@@ -531,8 +625,8 @@ std::optional<Unpacked> FastBunzip::Run(ByteView stored, std::size_t maximumByte
         {
           return std::nullopt;
         }
-        const std::vector<std::uint8_t>& bytes = memory->output;
-        return Unpacked{{bytes.begin(), bytes.end()}, memory->offsets, "", bits.Position()};
+        memory->output.shrink_to_fit();
+        return Unpacked{std::move(memory->output), memory->offsets, "", bits.Position()};
       }
       if (mark != blockMark)
       {
