@@ -22,6 +22,7 @@ constexpr double ringWidth = static_cast<double>(ringsOfMeans) * TiltMeans::Ring
 constexpr std::size_t ringsPerShare = rings / LayerShares::Rings;
 constexpr std::size_t knots = 3;               // quarters of the way between two tilts
 constexpr std::size_t codesOfCell = knots + 1; // of the changes, and of the most
+constexpr std::size_t codesOfRow = rings * codesOfCell;
 
 // One sweep of each tilt, the one with the most gates, ascending.
 std::vector<const BeamSweep*> OneOfEachTilt(const std::vector<BeamSweep>& sweeps)
@@ -236,9 +237,13 @@ EchoLayers::EchoLayers(
   const std::vector<TiltEdges> edges = FindEdges(elevations, beamWidth);
   const LayerShares shares(tilts, beam);
   std::vector<std::uint32_t> changed; // bits of gaps, by cell
+  Gap gap;                            // its memory grows for one gap after the other
   for (std::size_t i = 0; i + 1 < tilts.size() && i < MostGaps; ++i)
   {
-    Gap gap{tilts[i].Elevation(), tilts[i + 1].Elevation(), {}};
+    gap.lower = tilts[i].Elevation();
+    gap.upper = tilts[i + 1].Elevation();
+    gap.rows.clear();
+    gap.changes.clear();
     GapWork work(tilts, edges, i, beam, ceiling);
     for (std::size_t sector = 0; sector < sectors; ++sector)
     {
@@ -253,18 +258,30 @@ EchoLayers::EchoLayers(
         std::array<std::int8_t, codesOfCell> changes{};
         if (share >= least && work.Change(sector, ring, share, changes.data()))
         {
-          gap.changes.resize(sectors * rings * codesOfCell);
           changed.resize(sectors * rings);
           changed[sector * rings + ring] |= std::uint32_t(1) << i;
-          std::copy(changes.begin(), changes.end(),
-            gap.changes.begin() +
-              static_cast<std::ptrdiff_t>((sector * rings + ring) * codesOfCell));
+          std::copy(changes.begin(), changes.end(), gap.RowOf(sector) + ring * codesOfCell);
         }
       }
     }
-    gaps.push_back(std::move(gap));
+    gaps.push_back(gap);
   }
   marks = Widen(changed);
+}
+
+std::int8_t* EchoLayers::Gap::RowOf(std::size_t sector)
+{
+  if (changes.empty())
+  {
+    rows.resize(sectors);
+    changes.resize(codesOfRow);
+  }
+  if (rows[sector] == 0)
+  {
+    rows[sector] = static_cast<std::uint32_t>(changes.size());
+    changes.resize(changes.size() + codesOfRow);
+  }
+  return changes.data() + rows[sector];
 }
 
 int EchoLayers::FindGap(float lower, float upper) const
@@ -284,16 +301,15 @@ EchoLayers::Place EchoLayers::FindPlace(const ColumnDirection& direction) const
   const float sectorPlace = direction.azimuth + static_cast<float>(sectors) - 0.5F;
   const auto ring = static_cast<std::size_t>(ringPlace);
   const auto sector = static_cast<std::size_t>(sectorPlace);
-  return {(sector % sectors * rings + ring) * codesOfCell,
-    ((sector + 1) % sectors * rings + ring) * codesOfCell, ringPlace - static_cast<float>(ring),
-    sectorPlace - static_cast<float>(sector)};
+  return {sector % sectors, (sector + 1) % sectors, ring * codesOfCell,
+    ringPlace - static_cast<float>(ring), sectorPlace - static_cast<float>(sector)};
 }
 
 void EchoLayers::Add(int gap, const Place& place, float weight, Changes& to) const
 {
-  const std::int8_t* changes = gaps[static_cast<std::size_t>(gap)].changes.data();
-  const std::int8_t* first = changes + place.first;
-  const std::int8_t* second = changes + place.second;
+  const Gap& in = gaps[static_cast<std::size_t>(gap)];
+  const std::int8_t* first = in.changes.data() + in.rows[place.first] + place.cell;
+  const std::int8_t* second = in.changes.data() + in.rows[place.second] + place.cell;
   for (std::size_t knot = 0; knot < knots; ++knot)
   {
     const auto on = [&place, knot](const std::int8_t* ray)
@@ -315,7 +331,7 @@ std::size_t EchoLayers::MemoryBytes() const
   std::size_t bytes = marks.size() * sizeof(std::uint32_t);
   for (const Gap& gap : gaps)
   {
-    bytes += sizeof(Gap) + gap.changes.size();
+    bytes += sizeof(Gap) + gap.rows.size() * sizeof(std::uint32_t) + gap.changes.size();
   }
   return bytes;
 }

@@ -77,8 +77,9 @@ public:
   /// The four cells about a direction.
   struct Place
   {
-    std::size_t first = 0;  ///< nearest sector before, of its changes
+    std::size_t first = 0;  ///< nearest sector before
     std::size_t second = 0; ///< nearest sector after
+    std::size_t cell = 0;   ///< of the nearer ring, place of its changes in the row of a sector
     float along = 0.0F;     ///< how far on the way to the next ring, 0…1
     float across = 0.0F;    ///< and from one sector to the other
   };
@@ -93,8 +94,12 @@ private:
   {
     float lower = 0.0F; // degrees
     float upper = 0.0F;
-    std::vector<std::int8_t> changes; // rings × sectors × 4, the four fastest: the changes in
-                                      // Precision, and the most in dBZ; or empty
+    std::vector<std::uint32_t> rows;  // where each sector's changes begin; empty without any
+    std::vector<std::int8_t> changes; // of each ring four: the changes in Precision, and the most
+                                      // in dBZ. The first row is of sectors without any
+
+    // The row of a sector, which it has from now on.
+    std::int8_t* RowOf(std::size_t sector);
   };
 
   float ringsPerTangent = 0.0F;     // rings in a unit of halfTangent

@@ -52,7 +52,14 @@ public:
       before = gatesOf[ring] > 0 ? 0.0F : this->IsBetween(ring) ? before : unknown;
       quiet.push_back(before);
     }
+    while (!quiet.empty() && std::isnan(quiet.back()))
+    {
+      quiet.pop_back();
+    }
   }
+
+  // Up to the last one with gates.
+  std::size_t RingCount() const { return quiet.size(); }
 
   // Adds a ray of the sector.
   void Add(std::size_t entry)
@@ -80,15 +87,16 @@ public:
     }
   }
 
-  // Writes the means of the rays that were added, and forgets these. Returns between which places
+  // Appends the means of the rays that were added, and forgets these. Returns between which places
   // the means are above 0 dBZ.
-  TiltMeans::Span Write(float* means)
+  TiltMeans::Span AppendTo(std::vector<float>& all)
   {
     TiltMeans::Span echo;
-    std::copy(quiet.begin(), quiet.end(), means);
+    all.insert(all.end(), quiet.begin(), quiet.end());
+    float* const means = all.data() + all.size() - quiet.size();
     if (rays == 0)
     {
-      std::fill(means, means + TiltMeans::Rings, unknown);
+      std::fill(means, means + quiet.size(), unknown);
     }
     for (std::size_t ring = first; ring <= last || this->IsBetween(ring); ++ring)
     {
@@ -130,7 +138,7 @@ private:
   const BeamSweep& sweep;
   const std::vector<std::size_t> rings; // of each gate
   std::vector<int> gatesOf;             // of one ray in each ring
-  std::vector<float> quiet;             // means where no ray holds anything
+  std::vector<float> quiet;             // means where no ray holds anything, to the last known one
   std::vector<Sum> sums;                // of each ring; empty but from first to last
   int rays = 0;
   std::size_t first = TiltMeans::Rings;
@@ -280,12 +288,12 @@ void AddTo(std::vector<float>& sums, const std::vector<float>& others)
 
 TiltMeans::TiltMeans(const BeamSweep& sweep, const BeamModel& beam)
   : elevation(sweep.elevation)
-  , last(0.0F)
-  , means(Sectors * Rings)
 {
   const std::vector<std::size_t> rings = RingsOf(sweep, beam);
   last = static_cast<float>(rings.empty() ? 0 : rings.back());
   SectorMeans sums(sweep, rings);
+  ringCount = sums.RingCount();
+  means.reserve(Sectors * ringCount);
   std::size_t entry = 1; // the first repeats the last ray
   for (std::size_t sector = 0; sector < Sectors; ++sector)
   {
@@ -300,7 +308,7 @@ TiltMeans::TiltMeans(const BeamSweep& sweep, const BeamModel& beam)
     {
       sums.Add(static_cast<std::size_t>(nearest));
     }
-    echoes.push_back(sums.Write(means.data() + sector * Rings));
+    echoes.push_back(sums.AppendTo(means));
   }
 }
 

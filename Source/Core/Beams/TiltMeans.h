@@ -29,12 +29,12 @@ public:
   float At(std::size_t sector, float place) const
   {
     const float from = place - 0.5F;
-    if (!(from >= 0.0F && from < static_cast<float>(Rings - 1)))
+    if (!(from >= 0.0F && from < static_cast<float>(ringCount) - 1.0F))
     {
       return std::numeric_limits<float>::quiet_NaN();
     }
     const auto ring = static_cast<std::size_t>(from);
-    const float* row = means.data() + sector * Rings + ring;
+    const float* row = means.data() + sector * ringCount + ring;
     return row[0] + (from - static_cast<float>(ring)) * (row[1] - row[0]);
   }
   /// Whether a ring about a place is the one of the tilt's last gate or farther.
@@ -51,10 +51,11 @@ public:
   bool HasEcho(std::size_t sector) const { return echoes[sector].end > 0.0F; }
 
 private:
-  float elevation;          // degrees
-  float last;               // ring of the last gate
-  std::vector<float> means; // rings fastest
-  std::vector<Span> echoes; // of each sector
+  float elevation;           // degrees
+  float last = 0.0F;         // ring of the last gate
+  std::size_t ringCount = 0; // to the last one with gates; farther ones are not known
+  std::vector<float> means;  // rings fastest
+  std::vector<Span> echoes;  // of each sector
 };
 
 /// How much the echo of a volume lies in layers, for each gap between neighbouring tilts (Formulas
