@@ -179,7 +179,7 @@ public:
     }
     sharpened.scale = GateScale::Between(
       sweep.scale.ValueOf(values.least) - mostDown, sweep.scale.ValueOf(values.most) + mostUp);
-    const std::shared_ptr<std::uint16_t[]> codes(new std::uint16_t[sweep.CodeCount()]());
+    const std::shared_ptr<std::uint16_t[]> codes(new std::uint16_t[sweep.CodeCount()]);
     for (std::size_t entry = 0; entry < sweep.azimuths.size(); ++entry)
     {
       this->SharpenRay(entry, sharpened.scale, codes.get() + entry * sweep.Stride());
@@ -192,6 +192,8 @@ private:
   void SharpenRay(std::size_t entry, const GateScale& scale, std::uint16_t* to)
   {
     const GateRange& held = sweep.held[entry];
+    std::fill(to, to + held.begin, GateCode::NoEcho);
+    std::fill(to + held.end, to + sweep.Stride(), GateCode::NoEcho);
     if (held.IsEmpty())
     {
       return;

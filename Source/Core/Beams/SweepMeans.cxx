@@ -267,7 +267,7 @@ public:
       bool any = !closed;
       for (std::size_t ray = 0; ray < rays; ++ray)
       {
-        tallies[ray] = this->TallyOf(ray, number);
+        this->SumUp(ray, number, tallies[ray]);
         any = any || tallies[ray].none < 1.0F;
       }
       if (any) // else the cells are made as no echo
@@ -283,7 +283,8 @@ public:
       for (std::size_t ring = sectorRings; ring < means.rings.size() && ringGates[ring].begin < end;
            ++ring)
       {
-        const Tally tally = this->TallyOf(ray, ring);
+        Tally tally;
+        this->SumUp(ray, ring, tally);
         if (tally.none < 1.0F)
         {
           means.cells[means.rings[ring].first + ray + 1] = adder.CellOf(tally, means);
@@ -329,7 +330,7 @@ private:
   }
 
   // The part of a ray in a ring.
-  Tally TallyOf(std::size_t ray, std::size_t ring) const
+  void SumUp(std::size_t ray, std::size_t ring, Tally& tally) const
   {
     const RingGates& gates = ringGates[ring];
     const std::uint16_t* codes = sweep.Row(ray + 1);
@@ -337,9 +338,10 @@ private:
     if (held.IsEmpty() || std::all_of(codes + held.begin, codes + held.end,
                             [](std::uint16_t code) { return code == GateCode::NoEcho; }))
     {
-      return noEcho;
+      tally = noEcho;
+      return;
     }
-    Tally tally;
+    tally = Tally();
     for (std::size_t gate = gates.begin; gate < gates.end; ++gate)
     {
       const float weight = weights[gates.firstWeight + gate - gates.begin];
@@ -348,7 +350,6 @@ private:
         adder.Add(held.Holds(gate) ? codes[gate] : GateCode::NoEcho, weight, tally);
       }
     }
-    return tally;
   }
 
   void SetSectors(std::size_t count, const std::vector<RayWidth>& widths, SweepMeans::Cell* cells)
