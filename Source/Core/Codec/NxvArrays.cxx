@@ -104,6 +104,15 @@ void SetBytesOf(VoxelState state, const GriddedVolume& volume, std::uint8_t byte
   }
 }
 
+void RequireValues(const GriddedVolume& volume)
+{
+  if (!volume.codes.empty())
+  {
+    throw Error(
+      "a volume that was merged into codes can be written as these alone, without bricks");
+  }
+}
+
 // Which voxels are filtered, where some are. Readers that do not know the array take them for no
 // echo.
 void AddFiltered(const NxvAddArray& add, const GriddedVolume& volume)
@@ -211,6 +220,7 @@ void AddBandCodes(const NxvAddArray& add, const GriddedVolume& volume)
 
 void AddFloatArrays(const NxvAddArray& add, const GriddedVolume& volume)
 {
+  RequireValues(volume);
   NxvArray array = MomentArray(volume);
   array.type = NxvType::Float32;
   add(
@@ -225,6 +235,7 @@ void AddFloatArrays(const NxvAddArray& add, const GriddedVolume& volume)
 void AddThesisArrays(
   const NxvAddPayload& addPayload, const NxvAddArray& add, const GriddedVolume& volume)
 {
+  RequireValues(volume);
   const std::vector<std::uint8_t> codes = ThesisCode::EncodeAll(volume);
   addPayload(MomentArray(volume), EncodeRunLength(codes));
   if (Holds(volume, VoxelState::RangeFolded))
@@ -290,6 +301,7 @@ void AddAncillaryArrays(const NxvAddArray& add, const GriddedVolume& volume, boo
 void AddBandArrays(const NxvAddArray& add, const GriddedVolume& volume, bool exact)
 {
   CheckVoxelCount(volume);
+  RequireValues(volume); // of which the coarser levels are made, too
   if (exact)
   {
     AddFloatArrays(add, volume);

@@ -692,7 +692,8 @@ GriddedVolume BeamMerger::MergeColumnsOf(
   }
   GriddedVolume volume = this->Describe(plan);
   volume.grid = PartOf(grid, tile);
-  const RowOptions rows = this->RowsFor(plan, volume.moment, tile);
+  RowOptions rows = this->RowsFor(plan, volume.moment, tile);
+  rows.code.reset(); // tiles become bricks, whose coarser levels are made of values
   volume.values.assign(tile.VoxelCount(), volume.fill);
   volume.states.assign(tile.VoxelCount(), VoxelState::NotScanned);
   this->MakeRoom(rows, volume);

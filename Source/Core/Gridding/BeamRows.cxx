@@ -613,8 +613,7 @@ private:
   Strip<float> values;
   Strip<std::uint8_t> codes;
   std::vector<std::uint8_t> codesOfColumn;
-  Strip<VoxelState>
-    states; // with codes, of the columns alone that have one which these do not tell
+  Strip<VoxelState> states; // with codes, of columns that have one which these do not tell
   Strip<float> ages;
   Strip<float> weights;
   Strip<std::uint8_t> radars;

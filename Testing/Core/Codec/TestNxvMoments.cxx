@@ -53,7 +53,7 @@ namespace
 // Voxels of all states, of an echo that is no number, and of more bytes than a piece has.
 GriddedVolume AllStates()
 {
-  GriddedVolume volume = MakeGriddedVolume({160, 100, 80});
+  GriddedVolume volume = MakeGriddedVolume({160, 64, 125});
   for (std::size_t i = 0; i < volume.states.size(); ++i)
   {
     volume.states[i] = static_cast<VoxelState>(i * i / 7 % 5);
@@ -111,6 +111,20 @@ TEST(NxvMoments, CodesOfAMergeMakeTheSameFile)
         FileContent(folder.Path() / "codes.nxv") == FileContent(folder.Path() / "values.nxv"));
     }
   }
+}
+
+TEST(NxvMoments, CodesOfAMergeMakeNoOtherFile)
+{
+  const TemporaryFolder folder;
+  const fs::path path = folder.Path() / "codes.nxv";
+  const GriddedVolume coded = Coded(AllStates());
+  NxvBandWriter bands(path, coded.grid);
+  const std::string refusal =
+    "a volume that was merged into codes can be written as these alone, without bricks";
+  EXPECT_EQ(MessageOf([&] { WriteNxv(path, coded, NxvEncoding::Float); }), refusal);
+  EXPECT_EQ(MessageOf([&] { WriteNxv(path, coded, NxvEncoding::Thesis); }), refusal);
+  EXPECT_EQ(MessageOf([&] { bands.Add(coded); }), refusal);
+  EXPECT_FALSE(fs::exists(path));
 }
 
 TEST(NxvMoments, EachIsWhatAFileOfItAloneHolds)
