@@ -85,7 +85,9 @@ void PrintReport(const GridReport& report, const char* noun, QualityLevel level)
 
 nlohmann::ordered_json MakeJson(const GridReport& report)
 {
-  nlohmann::ordered_json json = {{"index", report.indices.front().string()},
+  const bool ends = !report.indices.empty(); // else it is a task, which others follow
+  nlohmann::ordered_json json = {
+    {"index", ends ? nlohmann::ordered_json(report.indices.front().string()) : nullptr},
     {"volumes", nlohmann::ordered_json::array()}, {"bytes", report.bytes},
     {"problems", report.problems}, {"notes", report.notes},
     {"radars", MakeBiasJson(report.comparison, report.takenOff)},
@@ -118,6 +120,11 @@ int RunGrid(GridCommandOptions& options)
   if (options.json)
   {
     PrintJson(MakeJson(report));
+  }
+  else if (report.indices.empty())
+  {
+    std::cout << (options.quiet ? ""
+                                : Counted(report.files.size(), "file") + " for further tasks\n");
   }
   else if (!options.quiet)
   {
@@ -160,6 +167,11 @@ void AddGridCommand(CLI::App& program, CommandAction& action)
   AddParsedOption(*command, "--code", options->job.written.encoding, codes.parse, codes.unit,
     "How nxv stores values: radar (the steps that the radar sends; half dBZ for REF), or exact "
     "(default: radar; of the method thesis its own code, whole dBZ from 1 to 80)");
+  AddParsedOption(*command, "--task", options->job.task, ParseGridTask, "TASK",
+    "Do a part of the run alone, of volumes of more than 134 million voxels: scan:K/N (find out "
+    "what "
+    "part K of N of the files hold), then rows:K/N (make part K of N of the rows), then join "
+    "(default: the whole run)");
   command->add_flag(
     "--json", options->json, "Print what was made as JSON (default: lines of text)");
   AddQuietOption(*command, options->quiet);

@@ -75,6 +75,36 @@ bool ShareEachVolume(const GridJob& job, const Processes& processes)
   return processes.Count() > 1 && AreInBricks(FilesOfTimes(job), job.options);
 }
 
+// The rows that the process of a rank makes; none where there are more processes than parts.
+VoxelBlock RowsOf(const GridSpecification& grid, const Processes& processes, std::size_t rank)
+{
+  VoxelBlock rows = VoxelBlock::Of(grid);
+  const int height = rows.end[1];
+  const auto parts = static_cast<std::size_t>((height - 1) / NxvBandWriter::PartRows + 1);
+  const auto [begin, end] = processes.PartOf(parts, rank);
+  rows.begin[1] = std::min(static_cast<int>(begin) * NxvBandWriter::PartRows, height);
+  rows.end[1] = std::min(static_cast<int>(end) * NxvBandWriter::PartRows, height);
+  return rows;
+}
+
+// Merges rows of a volume into a file for NxvBandWriter::AddPart; without rows into none. False
+// when `progress` asked to stop.
+bool WriteRows(SeriesMerger& merger, Time time, const VoxelBlock& rows, const fs::path& place,
+  std::optional<NxvEncoding> encoding, const Progress& progress)
+{
+  if (rows.Size(1) == 0)
+  {
+    return true;
+  }
+  NxvBandWriter bricks(place, merger.Grid(), rows, encoding);
+  if (!merger.MergeInBands(time, NxvBandWriter::Rows, PackInto(bricks), progress, rows))
+  {
+    return false;
+  }
+  bricks.Commit();
+  return true;
+}
+
 // Merges and writes the steps of this process that are due.
 class BlockWriter
 {
@@ -146,18 +176,6 @@ private:
     }
   }
 
-  // The rows that a process makes; none where there are more processes than parts.
-  VoxelBlock RowsOf(std::size_t rank) const
-  {
-    VoxelBlock rows = VoxelBlock::Of(merger.Grid());
-    const int height = rows.end[1];
-    const auto parts = static_cast<std::size_t>((height - 1) / NxvBandWriter::PartRows + 1);
-    const auto [begin, end] = processes.PartOf(parts, rank);
-    rows.begin[1] = std::min(static_cast<int>(begin) * NxvBandWriter::PartRows, height);
-    rows.end[1] = std::min(static_cast<int>(end) * NxvBandWriter::PartRows, height);
-    return rows;
-  }
-
   // The hidden file of the rows of a process.
   fs::path PlaceForRows(std::size_t step, std::size_t rank) const
   {
@@ -166,15 +184,9 @@ private:
 
   void MakeRows(std::size_t step, const Progress& progress)
   {
-    const VoxelBlock rows = this->RowsOf(processes.Rank());
-    if (rows.Size(1) == 0)
-    {
-      return;
-    }
-    NxvBandWriter bricks(
-      this->PlaceForRows(step, processes.Rank()), merger.Grid(), rows, job.written.encoding);
-    this->AddBands(step, bricks, progress, rows);
-    bricks.Commit();
+    const std::size_t rank = processes.Rank();
+    this->StopUnless(WriteRows(merger, merger.Times()[step], RowsOf(merger.Grid(), processes, rank),
+      this->PlaceForRows(step, rank), job.written.encoding, progress));
   }
 
   // The first process joins them; to the others the step is made then as well.
@@ -190,7 +202,7 @@ private:
     NxvBandWriter bricks(run.PlaceFor(name), merger.Grid(), job.written.encoding);
     for (std::size_t rank = 0; rank < processes.Count(); ++rank)
     {
-      if (this->RowsOf(rank).Size(1) > 0)
+      if (RowsOf(merger.Grid(), processes, rank).Size(1) > 0)
       {
         bricks.AddPart(this->PlaceForRows(step, rank), vtkNexradRangeLoop());
         fs::remove(this->PlaceForRows(step, rank));
@@ -218,21 +230,35 @@ private:
     }
   }
 
-  void AddBands(std::size_t step, NxvBandWriter& bricks, const Progress& progress,
-    const std::optional<VoxelBlock>& rows = {})
-  {
-    this->StopUnless(merger.MergeInBands(
-      merger.Times()[step], NxvBandWriter::Rows, PackInto(bricks), progress, rows));
-  }
-
   void MakeInBricks(std::size_t step, const Progress& progress)
   {
     const std::string& name = all.front().files[step];
     NxvBandWriter bricks(run.PlaceFor(name), merger.Grid(), job.written.encoding);
-    this->AddBands(step, bricks, progress);
-    this->Begin(step, this->LastMadeOf(step));
+    this->Begin(step,
+      job.task ? this->JoinTasks(step, bricks, progress) : this->MergeInto(step, bricks, progress));
     bricks.Commit();
     run.Add(name);
+  }
+
+  // Both return what the volume is made of.
+  std::string MergeInto(std::size_t step, NxvBandWriter& bricks, const Progress& progress)
+  {
+    this->StopUnless(
+      merger.MergeInBands(merger.Times()[step], NxvBandWriter::Rows, PackInto(bricks), progress));
+    return this->LastMadeOf(step);
+  }
+
+  std::string JoinTasks(std::size_t step, NxvBandWriter& bricks, const Progress& progress)
+  {
+    const Time time = merger.Times()[step];
+    this->StopUnless(merger.Know(time, progress));
+    std::string made = merger.MadeOf(time);
+    const TaskFolder tasks(job.folder, job.recipe);
+    for (const fs::path& rows : tasks.RowsOf(all.front().files[step], made))
+    {
+      bricks.AddPart(rows, vtkNexradRangeLoop());
+    }
+    return made;
   }
 
   void MakeMerged(std::size_t step, const Progress& progress)
@@ -463,24 +489,92 @@ void RequireDone(bool done)
   }
 }
 
-} // namespace
+// A task that tells the others what a part of the files hold.
+GridReport ScanPart(const GridJob& job, SeriesMerger& merger, const Progress& progress)
+{
+  RequireDone(merger.KnowPart(job.task->part, job.task->parts, progress));
+  GridReport report;
+  report.files = {TaskFolder(job.folder, job.recipe).PutKnown(*job.task, merger.KnownFiles())};
+  return report;
+}
 
-GridReport WriteVolumes(const GridJob& job, const Progress& progress, const Processes& processes)
+// A task that makes rows of each volume, for the one that joins them.
+GridReport MakeRows(const GridJob& job, SeriesMerger& merger, const Progress& progress)
+{
+  const TaskFolder folder(job.folder, job.recipe);
+  RequireDone(merger.Open(ShareOf(progress, 0.0, ScanShare)));
+  const Progress making = ShareOf(progress, ScanShare, 1.0);
+  const VoxelBlock rows =
+    RowsOf(merger.Grid(), Processes(job.task->part, job.task->parts, {}), job.task->part);
+  const std::vector<Time>& times = merger.Times();
+  GridReport report;
+  for (std::size_t i = 0; i < times.size(); ++i)
+  {
+    const std::string name = VolumeFileName(times[i], job.written.format).string();
+    const fs::path place = folder.PlaceForRows(name, *job.task);
+    merger.EndAt(times[i]);
+    RequireDone(merger.Know(times[i]) && WriteRows(merger, times[i], rows, place,
+                                           job.written.encoding, ShareOf(making, i, times.size())));
+    folder.PutMade(name, *job.task, merger.MadeOf(times[i]));
+    report.files.push_back(place);
+  }
+  if (!merger.Settle())
+  {
+    throw Error("some files hold other radars or times than their headers say: make these volumes "
+                "without --task");
+  }
+  return report;
+}
+
+MergerSetup SetupOf(const GridJob& job, const Processes& processes)
 {
   MergerSetup setup;
   setup.loop = vtkNexradRangeLoop();
   setup.threads = vtkNexradThreadCount();
   setup.processes = processes;
-  setup.sharesBlocks = ShareEachVolume(job, processes);
+  setup.sharesBlocks = job.task || ShareEachVolume(job, processes);
+  setup.order = setup.sharesBlocks ? ScanOrder::ByLatitude : ScanOrder::ByTime;
+  if (job.task && job.task->kind != GridTask::Kind::Scan)
+  {
+    setup.known = TaskFolder(job.folder, job.recipe).Known();
+  }
+  return setup;
+}
+
+// Throws Error for a task that divides nothing.
+void CheckTask(const GridJob& job, const Processes& processes)
+{
+  if (job.task && !AreInBricks(FilesOfTimes(job), job.options))
+  {
+    throw Error(
+      "--task divides volumes in bricks alone: merged, nxv, of more than 134 million voxels");
+  }
+  if (job.task && processes.Count() > 1)
+  {
+    throw Error("--task is of one process; start the tasks one by one, without mpiexec");
+  }
+}
+
+} // namespace
+
+GridReport WriteVolumes(const GridJob& job, const Progress& progress, const Processes& processes)
+{
+  CheckTask(job, processes);
+  MergerSetup setup = SetupOf(job, processes);
   // Where some do other things than the others, all would wait for each other in two places.
   processes.RequireSame(setup.sharesBlocks ? "shared\n" + job.recipe : std::string(),
     "the processes do not make the same volumes; all need the same options");
-  setup.order = setup.sharesBlocks ? ScanOrder::ByLatitude : ScanOrder::ByTime;
   MergeOptions options = job.options;
   options.compareRadars = true;
   options.beam.codes = AreCodes(FilesOfTimes(job), options);
   setup.use = UseOfWriting(FilesOfTimes(job), options);
   SeriesMerger merger(job.inputs, options, setup);
+  const bool isPart = job.task && job.task->kind != GridTask::Kind::Join;
+  if (isPart)
+  {
+    return job.task->kind == GridTask::Kind::Scan ? ScanPart(job, merger, progress)
+                                                  : MakeRows(job, merger, progress);
+  }
   RequireDone(merger.Open(ShareOf(progress, 0.0, ScanShare)));
   const std::set<std::string> names = NamesOf(job, merger);
   processes.Together(
@@ -511,7 +605,9 @@ GridReport WriteVolumes(const GridJob& job, const Progress& progress, const Proc
     }
     else if (processes.InAll(!writer.HasDue()))
     {
-      return Conclude(job, merger, run, processes);
+      GridReport report = Conclude(job, merger, run, processes);
+      job.task ? TaskFolder(job.folder, job.recipe).Remove() : void();
+      return report;
     }
   }
 }

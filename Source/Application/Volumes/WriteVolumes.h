@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Volumes/GridTask.h"
 #include "Volumes/VolumeFiles.h"
 #include "nexrad/Calibration/RadarBiases.h"
 #include "nexrad/Merging/MergeOptions.h"
@@ -30,13 +31,15 @@ struct GridJob
   /// All that decides what the volumes contain, beside the content of the inputs, as text. A run
   /// that was interrupted is continued by one with the same text. Empty: never.
   std::string recipe;
+  std::optional<GridTask> task; ///< this part of the run alone; of volumes in bricks
 };
 
 /// What WriteVolumes made.
 struct GridReport
 {
   std::vector<std::filesystem::path> indices; ///< of the series: one, or one of each radar; where
-                                              ///< all times are in one file, that
+                                              ///< all times are in one file, that; of a task, but
+                                              ///< of the last, none
   std::vector<std::filesystem::path> files;   ///< one for each time, or one
   std::uintmax_t bytes = 0;                   ///< of the files together
   std::vector<std::string> problems;          ///< inputs that were damaged or left out, a line each
@@ -58,7 +61,8 @@ struct GridReport
 /// volumes written while others are merged, in memory that does not grow with the number of steps;
 /// files that no step needs are not decoded. Several processes make a part of the times each, and
 /// of volumes in bricks a part of the rows of each, with the same files as one alone; the first
-/// joins rows, and writes the index when all are done. All get the same report. Throws Error when
+/// joins rows, and writes the index when all are done. All get the same report. The tasks of a run
+/// make the same files one after the other, each in a process that is alone. Throws Error when
 /// no input holds a ray or a file cannot be written: in all processes when it fails in one.
 GridReport WriteVolumes(
   const GridJob& job, const Progress& progress = {}, const Processes& processes = Processes());

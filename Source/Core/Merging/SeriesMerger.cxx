@@ -99,6 +99,37 @@ bool SeriesMerger::Open(const Progress& progress)
   return this->Begin(progress);
 }
 
+bool SeriesMerger::KnowPart(std::size_t part, std::size_t parts, const Progress& progress)
+{
+  this->FindFiles();
+  if (!this->BeginByHeaders())
+  {
+    throw Error("the headers do not tell which files are needed: make these volumes in one run");
+  }
+  const std::vector<std::size_t> indices = this->FilesByHeaders();
+  std::vector<std::filesystem::path> paths;
+  for (const std::size_t index : indices)
+  {
+    paths.push_back(found.paths[index]);
+  }
+  const std::vector<std::size_t> order = OrderByHeaders(paths, setup.order);
+  const auto [begin, end] = Processes(part, parts, {}).Part(order.size());
+  std::vector<std::filesystem::path> own;
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    own.push_back(paths[order[i]]);
+  }
+  SeriesOptions series = this->ScanOptions();
+  series.threads = setup.threads;
+  series.summaries = true;
+  const auto files = ScanEach(own, series, {}, progress);
+  for (std::size_t i = begin; files && i < end; ++i)
+  {
+    store->Learn(indices[order[i]], (*files)[i - begin]);
+  }
+  return files.has_value();
+}
+
 bool SeriesMerger::SetOptions(const MergeOptions& theOptions, const Progress& progress)
 {
   options = theOptions;
@@ -206,6 +237,24 @@ std::vector<std::size_t> SeriesMerger::EndFiles() const
   return {ends.begin(), ends.end()};
 }
 
+// All files that a merge of the time steps needs, as far as headers tell before any is decoded.
+std::vector<std::size_t> SeriesMerger::FilesByHeaders() const
+{
+  const std::vector<std::size_t> ends = this->EndFiles();
+  std::set<std::size_t> needed(ends.begin(), ends.end());
+  TimeSpan span = {Time::max(), Time::min()};
+  for (const TimeSpan& each : HeaderTimes(*headers))
+  {
+    span = {std::min(span.first, each.first), std::max(span.last, each.last)};
+  }
+  for (const Time time : TimeStepsOf(options, span.first, span.last, found.paths.size()))
+  {
+    const std::vector<std::size_t> about = store->UnknownAbout(time);
+    needed.insert(about.begin(), about.end());
+  }
+  return {needed.begin(), needed.end()};
+}
+
 // Decodes the first file of each site, and the last, for the first and the last ray. Empty when a
 // site has none that can be used.
 std::optional<TimeSpan> SeriesMerger::FindEnds()
@@ -252,6 +301,10 @@ bool SeriesMerger::BeginByHeaders()
   request = MergeRequestOf(options, setup.loop);
   this->PlanRequest(false);
   this->BeginStore();
+  for (const std::string& text : setup.known)
+  {
+    this->LearnFiles(text);
+  }
   return true;
 }
 

@@ -48,6 +48,7 @@ struct MergerSetup
   /// files about a time hold, and a block is merged as where all files are scanned first.
   bool sharesBlocks = false;
   ScanOrder order = ScanOrder::ByTime; ///< of the files that processes decode for each other
+  std::vector<std::string> known; ///< what KnownFiles gave elsewhere, of the same files and options
   VolumeUse use; ///< of the merged volumes, which counts for MergeOptions::memoryLimit
 };
 
@@ -77,6 +78,12 @@ public:
   /// (MomentOptions), whether radars are compared, the name of the site and the memory must be
   /// those of before. What was decoded stays.
   bool SetOptions(const MergeOptions& options, const Progress& progress = {});
+
+  /// In place of Open: finds out what one of `parts` parts of the files about the time steps hold,
+  /// those of neighbouring radars, so that KnownFiles tells it to other processes. `part` counts
+  /// from 0. False when `progress` asked to stop. Throws Error as Open does, and where headers do
+  /// not tell which files these are.
+  bool KnowPart(std::size_t part, std::size_t parts, const Progress& progress = {});
 
   // After Open.
   const GridSpecification& Grid() const { return request.grid; }
@@ -175,6 +182,7 @@ private:
   bool BeginByHeaders();
   bool OpenByHeaders();
   std::vector<std::size_t> EndFiles() const;
+  std::vector<std::size_t> FilesByHeaders() const;
   std::optional<TimeSpan> FindEnds();
   bool NeedsLastRay() const;
   bool KnowTogether(const std::vector<std::size_t>& indices, const Progress& progress);

@@ -126,7 +126,8 @@ double PlaceOf(const std::string& site, ScanOrder order)
   return order == ScanOrder::ByLongitude ? known->position.longitude : known->position.latitude;
 }
 
-// Indices of the paths in the order of the places and times in the files' headers.
+} // namespace
+
 std::vector<std::size_t> OrderByHeaders(
   const std::vector<std::filesystem::path>& paths, ScanOrder order)
 {
@@ -143,8 +144,6 @@ std::vector<std::size_t> OrderByHeaders(
     [&keys](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
   return sorted;
 }
-
-} // namespace
 
 std::optional<std::vector<ScannedFile>> ScanEach(const std::vector<std::filesystem::path>& paths,
   const SeriesOptions& options, const VolumeVisitor& visitor, const Progress& progress)

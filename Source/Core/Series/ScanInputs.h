@@ -38,6 +38,10 @@ enum class ScanOrder
   ByLatitude   ///< neighbouring sites from south to north, and their times
 };
 
+/// Places in a list of files, in the order of the radars and times in their headers.
+std::vector<std::size_t> OrderByHeaders(
+  const std::vector<std::filesystem::path>& paths, ScanOrder order);
+
 /// What a process finds in some of the files, by their places in a list; empty when it was asked to
 /// stop.
 using FileFinder =
