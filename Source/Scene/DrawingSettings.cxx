@@ -340,6 +340,21 @@ DrawingRow MakeRow(const char* group, SettingUse use, const char* key, const cha
     {key, says, "", "", use, group}, std::move(value), std::move(set), std::move(text));
 }
 
+ValueType<std::size_t> TextureMemoryValue()
+{
+  const auto parse = [](const std::string& text)
+  {
+    constexpr std::size_t least = std::size_t(16) << 20;
+    const std::size_t bytes = ParseMemory(text);
+    if (bytes < least)
+    {
+      throw Error("'" + text + "' is too little for a volume; write 16MiB or more");
+    }
+    return bytes;
+  };
+  return {{"memory", "SIZE", {}}, parse, BytesText};
+}
+
 void AddCamera(DrawingRows& rows)
 {
   constexpr SettingUse use = SettingUse::Result;
@@ -403,6 +418,11 @@ void AddSlices(DrawingRows& rows)
     "Slices, or samples along the longest ray, up to 16384; 0: about three for every eight voxels "
     "along the view",
     NumberValue(0, 16384), [](auto& of) -> auto& { return of.scene.slices; }));
+  rows.push_back(MakeRow(
+    pictureGroup, SettingUse::Machine, "texture-memory",
+    "Memory of the graphics card that the voxels of a volume may take, MiB or GiB: of volumes in "
+    "several sizes of voxels the smallest that fit are drawn",
+    TextureMemoryValue(), [](auto& of) -> auto& { return of.scene.textureMemory; }));
 }
 
 void AddAppearance(DrawingRows& rows)

@@ -529,7 +529,7 @@ void RadarScene::DrawVolume(vtkImageData* placed, bool sameMapper)
 {
   if (!sameMapper)
   {
-    volume->SetMapper(MakeVolumeMapper(options.mapper, options.preIntegration));
+    volume->SetMapper(MakeVolumeMapper(options));
     this->FollowIsoValues();
     renderer->AddVolume(volume);
   }
@@ -580,8 +580,7 @@ void RadarScene::PlaceDetail()
     detail.Show(placed, volume, mappers[0], mappers[1]);
     return;
   }
-  detail.Show(placed, volume, MakeVolumeMapper(options.mapper, options.preIntegration),
-    MakeVolumeMapper(options.mapper, options.preIntegration));
+  detail.Show(placed, volume, MakeVolumeMapper(options), MakeVolumeMapper(options));
   this->FollowIsoValues();
 }
 

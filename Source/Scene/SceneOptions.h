@@ -6,6 +6,7 @@
 #include "Scene/Shapes/Theme.h"
 #include "Scene/VolumeCut.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -62,6 +63,8 @@ struct SceneOptions
     true;         ///< between voxels; else each place has its nearest voxel's value
   int slices = 0; ///< or samples along the longest ray; 0: about three for every eight voxels along
                   ///< the view
+  std::size_t textureMemory = std::size_t(256)
+                              << 20;     ///< bytes of it that the voxels of a volume may take
   std::optional<double> opacityDistance; ///< km of the scene to which opacities belong, above 0;
                                          ///< empty: OpacityDistanceOf the echo
   FrameChoice framing = FrameChoice::Echo;
@@ -80,8 +83,8 @@ struct SceneOptions
     {
       return std::tie(of.preset, of.colours, of.opacities, of.isoValues, of.colourBy,
         of.exaggeration, of.mapper, of.preIntegration, of.linearInterpolation, of.slices,
-        of.opacityDistance, of.framing, of.ringSpacing, of.theme, of.heightWalls, of.placeNames,
-        of.namesOptions, of.light, of.plan, of.cut);
+        of.textureMemory, of.opacityDistance, of.framing, of.ringSpacing, of.theme, of.heightWalls,
+        of.placeNames, of.namesOptions, of.light, of.plan, of.cut);
     };
     return all(*this) == all(other);
   }

@@ -130,12 +130,13 @@ vtkSmartPointer<vtkImageData> AsDrawn(vtkImageData* data, const SceneOptions& op
   return values;
 }
 
-vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(MapperChoice choice, bool preIntegration)
+vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(const SceneOptions& options)
 {
-  if (choice == MapperChoice::TextureSlice)
+  if (options.mapper == MapperChoice::TextureSlice)
   {
     auto slicer = vtkSmartPointer<vtkOpenGLTextureSliceVolumeMapper>::New();
-    slicer->SetPreIntegration(preIntegration);
+    slicer->SetPreIntegration(options.preIntegration);
+    slicer->SetMaxMemoryInBytes(static_cast<vtkIdType>(options.textureMemory));
     return slicer;
   }
   auto mapper = vtkSmartPointer<vtkOpenGLGPUVolumeRayCastMapper>::New();

@@ -28,7 +28,7 @@ void RequireVoxels(vtkImageData* data, const SceneOptions& options);
 vtkSmartPointer<vtkImageData> AsDrawn(vtkImageData* data, const SceneOptions& options);
 
 /// A mapper of that kind; pre-integration is of the slices alone.
-vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(MapperChoice choice, bool preIntegration);
+vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(const SceneOptions& options);
 
 /// About three slices for every eight voxels that the usual view meets one behind the other, of the
 /// volume as it stands in the scene: 128 to 1024.

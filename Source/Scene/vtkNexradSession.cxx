@@ -110,8 +110,10 @@ void vtkNexradSession::Open()
   {
     throw nexrad::Error("no file name is set");
   }
+  nexrad::VolumeFileRequest request = {{}, {}, true};
+  request.textureMemory = this->Scene->GetOptions().textureMemory;
   this->Series->volumes = nexrad::AreVolumes(paths)
-                            ? nexrad::OpenVolumeFiles(paths)
+                            ? nexrad::OpenVolumeFiles(paths, request)
                             : nexrad::OpenRadarFiles(paths, this->DayReader->MakeDayOptions());
   std::vector<std::size_t>& steps = this->Series->steps;
   steps.resize(this->Series->volumes->Times().size());

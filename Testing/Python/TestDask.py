@@ -62,7 +62,7 @@ def large_store():
                           env=environment()) as cluster:
         address = cluster.stdout.readline().strip()
         done = example(path, TIMES[0], *SyntheticFiles.files(), "--dims", SyntheticFiles.LARGE[1], "--scheduler",
-                       address, "--grid", " ".join(SyntheticFiles.LARGE[2:]))
+                       address, "--parts", "3", "--grid", " ".join(SyntheticFiles.LARGE[2:]))
         cluster.communicate("\n")
     if done.returncode != 0:
         raise AssertionError(f"{done.returncode}\n{done.stderr}")

@@ -221,3 +221,22 @@ TEST_F(Pages, AreNotUsedWhereAllScalarsDiffer)
   EXPECT_EQ(this->Mapper->GetTextureBytes(),
     static_cast<vtkIdType>(sizeof(float)) * this->Input->GetNumberOfPoints());
 }
+
+// More pages than stand side by side in one row.
+TEST_F(Pages, TakeHardlyMoreMemoryThanTheyHaveTexels)
+{
+  this->Input->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  vtkDataArray* scalars = this->Input->GetPointData()->GetScalars();
+  scalars->FillComponent(0, 40.0);
+  for (vtkIdType id = 0; id < scalars->GetNumberOfTuples(); ++id)
+  {
+    if (id / 170 % 150 < 96 && id / (170 * 150) < 32) // 11 × 6 × 2 pages; the others are alike
+    {
+      scalars->SetTuple1(id, static_cast<double>(id % 61));
+    }
+  }
+  this->DrawInPages();
+  constexpr vtkIdType bytesOfPages = 133 * 17 * 17 * 17 * sizeof(float);
+  EXPECT_GE(this->Mapper->GetTextureBytes(), bytesOfPages);
+  EXPECT_LT(this->Mapper->GetTextureBytes(), bytesOfPages + bytesOfPages / 20);
+}

@@ -18,6 +18,7 @@
 
 #include <array>
 #include <string>
+#include <tuple>
 
 using namespace nexrad;
 using namespace nexrad::testing;
@@ -98,6 +99,24 @@ TEST_F(LargeVolumes, ABoxHasTheFinestVoxelsThatAreAskedFor)
   EXPECT_EQ(SizeOf(this->LoadBox(box)), (std::array<int, 3>{1050, 16, 16})) << "fits no finer";
   series->AllowCodes(true);
   EXPECT_EQ(SizeOf(this->LoadBox(box)), (std::array<int, 3>{2100, 32, 16})) << "in pages";
+}
+
+// 2100 × 64 × 16 voxels: 537,600 bytes of codes in the second size, and 67,200 in the third.
+TEST_F(LargeVolumes, TheyFitInTheTextureMemory)
+{
+  VolumeFileRequest request;
+  BoxRequest all;
+  all.faces = {-300'000.0, 300'000.0, -100'000.0, 300'000.0};
+  all.spacing = 1.0;
+  for (const auto& [memory, whole, box] :
+    {std::tuple{std::size_t(537'600), 1050, 2100}, {std::size_t(537'599), 525, 1050}})
+  {
+    request.textureMemory = memory;
+    const auto limited = OpenVolumeFiles({path}, request);
+    limited->AllowCodes(true);
+    EXPECT_EQ(SizeOf(limited->Load(0, {}))[0], whole);
+    EXPECT_EQ(SizeOf(limited->LoadBox(0, all, {}))[0], box);
+  }
 }
 
 TEST_F(LargeVolumes, BoxesThatCannotBeReadAreErrors)

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Merges radar files into a Zarr store, as tasks of Dask: merge_with_dask.py STORE.zarr TIME[,TIME...] INPUT...
 
-One task for each time runs `nexrad3d grid`, which writes a volume into the folder STORE.zarr.volumes.
-Then one task for each 64 rows of each volume reads these rows and writes them into the store. All
-workers must see these paths.
+Tasks run `nexrad3d grid`, which writes volumes into the folder STORE.zarr.volumes: one for each time,
+or with --parts one for each part of the radars, then one for each part of the rows, and one that joins
+these. Then one task for each 64 rows of each volume reads these rows and writes them into the store.
+All workers must see these paths.
 
 Group 0 of the store is the dataset that Volume.to_xarray gives; 1, 2, ... have the levels of a large volume.
 With zarr 3 the store has format 3, and a task writes one shard of each array. zarr 2 writes format 2,
@@ -32,14 +33,26 @@ CONVENTION = {"name": "multiscales", "uuid": "d35379db-88df-4056-af3a-620245f8e3
               "spec_url": "https://github.com/zarr-conventions/multiscales/blob/v0.1/README.md"}
 
 
-def merge(folder, time, inputs, options):
-    """A task: merges the files at a time. Gives the path of the volume."""
+def merge(job, task=None, after=()):
+    """A task: merges the files at a time, or does a part of that when the tasks before it are done. Gives the path of the volume."""
+    folder, time, inputs, options = job
     command = ["nexrad3d", "grid", *inputs, "-o", folder, "--begin", time, "--end", time, "--quiet", *options]
-    done = subprocess.run(command, stderr=subprocess.PIPE, text=True)
+    # Dask sets this for its workers; a merge would return memory all the time, and take twice as long.
+    environment = {name: value for name, value in os.environ.items() if name != "MALLOC_TRIM_THRESHOLD_"}
+    done = subprocess.run(command + (["--task", task] if task else []), stderr=subprocess.PIPE, text=True, env=environment)
     if done.returncode not in (0, 3):  # 3: some input was damaged or left out
         raise vtknexrad.Error(done.stderr.strip().splitlines()[-1])
     sys.stderr.write(done.stderr)
-    return glob.glob(os.path.join(glob.escape(folder), "*.nxv"))[0]
+    return next(iter(glob.glob(os.path.join(glob.escape(folder), "*.nxv"))), None)
+
+
+def merge_in_parts(client, job, parts):
+    """The future of a volume, of which tasks decode and make a part each."""
+    if parts == 1:
+        return client.submit(merge, job)
+    scans = [client.submit(merge, job, f"scan:{part}/{parts}") for part in range(1, parts + 1)]
+    rows = [client.submit(merge, job, f"rows:{part}/{parts}", scans) for part in range(1, parts + 1)]
+    return client.submit(merge, job, "join", rows)
 
 
 def write_rows(volume, store, level, index, rows):
@@ -117,6 +130,8 @@ def arguments():
     parser.add_argument("--grid", default="", metavar="OPTIONS", help="further options of `nexrad3d grid`")
     parser.add_argument("--scheduler", metavar="ADDRESS", help="of a cluster (default: a cluster on this machine)")
     parser.add_argument("--workers", type=int, default=2, help="processes of the cluster on this machine (default 2)")
+    parser.add_argument("--parts", type=int, default=1, help="tasks that make a large volume together, best one for "
+                        "each machine of the cluster (default 1)")
     return parser.parse_args()
 
 
@@ -129,8 +144,9 @@ def main():
     folders = [os.path.join(store + ".volumes", time) for time in times]
     local = {"n_workers": given.workers, "threads_per_worker": 1, "dashboard_address": None}
     with Client(given.scheduler) if given.scheduler else Client(**local) as client:
-        volumes = client.gather(client.map(merge, folders, times, inputs=list(map(os.path.abspath, given.inputs)),
-                                           options=["--dims", given.dims, *shlex.split(given.grid)]))
+        inputs, options = list(map(os.path.abspath, given.inputs)), ["--dims", given.dims, *shlex.split(given.grid)]
+        jobs = [(folder, time, inputs, options) for folder, time in zip(folders, times)]
+        volumes = client.gather([merge_in_parts(client, job, given.parts) for job in jobs])
         memory = write_store(client, volumes, store)
     print(f"{given.store}: {len(volumes)} times, {len(memory)} tasks of rows, largest process {max(memory) / 1e6:.0f} MB")
 

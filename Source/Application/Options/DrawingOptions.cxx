@@ -149,6 +149,7 @@ void FinishDrawingOptions(const CLI::App& command, scene::DrawingRequest& reques
   request.input.grid.beam.sharpen = request.input.grid.beam.sharpen && !options.plan;
   request.input.momentNamed = command.count("--moment") > 0;
   request.input.colourBy = options.colourBy;
+  request.input.textureMemory = options.textureMemory;
   request.maxGapGiven = command.count("--max-gap") > 0;
 }
 

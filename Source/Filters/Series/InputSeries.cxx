@@ -105,9 +105,9 @@ std::unique_ptr<VolumeSeries> OpenInputs(const InputRequest& request, const Prog
   const std::vector<MomentName>& moments = request.grid.moments;
   if (AreVolumes(request.inputs))
   {
-    return OpenVolumeFiles(
-      request.inputs, {request.momentNamed ? moments : std::vector<MomentName>(), colours, false,
-                        request.boxUnit, request.allVoxels, request.fewVoxels});
+    return OpenVolumeFiles(request.inputs,
+      {request.momentNamed ? moments : std::vector<MomentName>(), colours, false, request.boxUnit,
+        request.allVoxels, request.fewVoxels, request.textureMemory});
   }
   if (request.box)
   {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Filters/Series/VolumeFiles.h"
 #include "Filters/Series/VolumeSeries.h"
 #include "nexrad/Grid/FinerBox.h"
 #include "nexrad/Grid/GridSpecification.h"
 #include "nexrad/Merging/MergeOptions.h"
 #include "nexrad/System/Progress.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -29,9 +31,10 @@ struct InputRequest
   bool momentNamed = false;      ///< the moments of `grid` are those to read of volumes as well
   std::string colourBy;          ///< SceneOptions::colourBy
   std::optional<BoxRequest> box; ///< drawn in finer voxels
-  PlaceUnit boxUnit = PlaceUnit::OfVolume; ///< of the faces of `box`
-  bool allVoxels = false;                  ///< VolumeFileRequest::allVoxels
-  bool fewVoxels = false;                  ///< VolumeFileRequest::fewVoxels
+  PlaceUnit boxUnit = PlaceUnit::OfVolume;                    ///< of the faces of `box`
+  std::size_t textureMemory = VolumeFileRequest::UsualMemory; ///< VolumeFileRequest::textureMemory
+  bool allVoxels = false;                                     ///< VolumeFileRequest::allVoxels
+  bool fewVoxels = false;                                     ///< VolumeFileRequest::fewVoxels
 };
 
 /// Opens the inputs. Throws Error when volumes and radar files are mixed, when the faces of the box

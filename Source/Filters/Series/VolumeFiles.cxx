@@ -91,23 +91,20 @@ GriddedVolume Describe(const fs::path& path)
 // the graphics memory.
 constexpr std::size_t pictureBytesPerVoxel = 4;
 
-// What a picture takes of a graphics card unless it cannot be drawn with less.
-constexpr std::size_t textureMemory = std::size_t(256) << 20;
-
-bool FitsAsWhole(const NxvReadOptions& options, std::size_t bytesPerVoxel)
+bool FitsAsWhole(const NxvReadOptions& options, std::size_t bytesPerVoxel, std::size_t memory)
 {
   constexpr int mostAlongAxis = 2048; // more than a picture has pixels
   const VoxelBlock& block = *options.block;
   const int most = std::max({block.Size(0), block.Size(1), block.Size(2)});
-  return most <= mostAlongAxis && block.VoxelCount() * bytesPerVoxel <= textureMemory;
+  return most <= mostAlongAxis && block.VoxelCount() * bytesPerVoxel <= memory;
 }
 
 // Of parts that are all alike the slices store one. They draw codes; VTK's ray caster draws values.
-bool FitsInPages(const fs::path& path, const NxvReadOptions& options)
+bool FitsInPages(const fs::path& path, const NxvReadOptions& options, std::size_t memory)
 {
-  constexpr std::size_t memory = std::size_t(512) << 20; // of the computer
-  return options.block->VoxelCount() <= memory &&
-         CountVoxelsThatDiffer(path, options) <= textureMemory;
+  constexpr std::size_t timesAsMuch = 2; // of the computer
+  return options.block->VoxelCount() <= timesAsMuch * memory &&
+         CountVoxelsThatDiffer(path, options) <= memory;
 }
 
 // A volume file, and the index that names it; without one, an empty path.
@@ -344,8 +341,9 @@ private:
   Part FindWhole(const fs::path& path, const Levels& levels) const
   {
     const bool coarsest = request.fewVoxels && IsNxvInBricks(path);
-    return this->FindPart(
-      path, levels, coarsest ? levels.size() - 1 : 0, VoxelBlock::Of, FitsAsWhole);
+    return this->FindPart(path, levels, coarsest ? levels.size() - 1 : 0, VoxelBlock::Of,
+      [this](const NxvReadOptions& options, std::size_t bytes)
+      { return FitsAsWhole(options, bytes, request.textureMemory); });
   }
 
   Part FindBox(const fs::path& path, const Levels& levels, const BoxRequest& box) const
@@ -358,8 +356,11 @@ private:
     return this->FindPart(
       path, levels, from,
       [&box](const GridSpecification& level) { return VoxelsOfBox(level, box); },
-      [&path](const NxvReadOptions& options, std::size_t bytes)
-      { return bytes == 1 ? FitsInPages(path, options) : FitsAsWhole(options, bytes); });
+      [this, &path](const NxvReadOptions& options, std::size_t bytes)
+      {
+        return bytes == 1 ? FitsInPages(path, options, request.textureMemory)
+                          : FitsAsWhole(options, bytes, request.textureMemory);
+      });
   }
 
   static vtkSmartPointer<vtkImageData> ReadPart(const fs::path& path, const Part& part)

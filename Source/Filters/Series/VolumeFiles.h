@@ -5,6 +5,7 @@
 #include "nexrad/Grid/GridSpecification.h"
 #include "nexrad/Model/Moment.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -20,20 +21,22 @@ bool AreVolumes(const std::vector<std::filesystem::path>& paths);
 /// What of volume files is read.
 struct VolumeFileRequest
 {
+  static constexpr std::size_t UsualMemory = std::size_t(256) << 20;
   std::vector<MomentName> moments;         ///< the first is shown; empty: the file's first one
   std::optional<MomentName> colours;       ///< read beside them
   bool all = false;                        ///< read the file's other moments as well
   PlaceUnit boxUnit = PlaceUnit::OfVolume; ///< of the faces of boxes
   bool allVoxels = false; ///< Load reads the smallest voxels, whatever memory they take
   bool fewVoxels = false; ///< of a file in bricks Load reads the largest voxels
+  std::size_t textureMemory = UsualMemory; ///< bytes that what Load or LoadBox reads may take of it
 };
 
 /// Reads merged volumes from files, from an index of a series, or from folders of them. Of a file
 /// that has its volume in voxels of several sizes, Load and LoadBox read the smallest ones that fit
-/// in 256 MiB of texture memory, with at most 2048 voxels along each axis. Of codes LoadBox reads
-/// up to 512 MiB, and counts only bricks whose voxels differ. Throws Error when an input does not
-/// exist or is none; Load, for a moment that a file does not have; LoadBox, for a box that moves or
-/// lies beside the volume, and for a file whose finest voxels Load reads.
+/// in the texture memory, with at most 2048 voxels along each axis. Of codes LoadBox reads up to
+/// twice as many bytes, and counts only bricks whose voxels differ. Throws Error when an input does
+/// not exist or is none; Load, for a moment that a file does not have; LoadBox, for a box that
+/// moves or lies beside the volume, and for a file whose finest voxels Load reads.
 std::unique_ptr<VolumeSeries> OpenVolumeFiles(const std::vector<std::filesystem::path>& inputs,
   const VolumeFileRequest& request = {{}, {}, true});
 

@@ -35,7 +35,6 @@ void vtkTextureSlicePages::Divide(const std::array<int, 3>& size, int intervalsO
     this->Texels[axis] = std::min(this->Intervals[axis] + 1, size[axis]);
     this->Count[axis] = (intervals + this->Intervals[axis] - 1) / this->Intervals[axis];
   }
-  this->AtlasSize = this->Texels;
   this->Boxes.clear();
   this->Places.clear();
   this->Entries.clear();
@@ -45,36 +44,60 @@ bool vtkTextureSlicePages::Build(
   const std::array<int, 3>& size, const vtkTextureSliceBricks& bricks, int most)
 {
   this->Divide(size, bricks.Intervals);
-  std::array<int, 3> slots{}; // that the atlas can have along each axis
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    slots[axis] = std::min(MostSlots, most / this->Texels[axis]);
-  }
-  const int layer = slots[0] * slots[1];
-  std::map<std::vector<double>, Entry> uniform;
+  std::map<std::vector<double>, int> uniform;
+  std::vector<int> numbers; // of each page of the volume, which place of the atlas it has
   const int pages = this->Count[0] * this->Count[1] * this->Count[2];
   for (int number = 0; number < pages; ++number)
   {
     const std::array<int, 3> page{number % this->Count[0], number / this->Count[0] % this->Count[1],
       number / (this->Count[0] * this->Count[1])};
     const auto scalars = this->FindScalars(page, bricks);
-    const auto known = scalars ? uniform.find(*scalars) : uniform.end();
-    if (known != uniform.end())
-    {
-      this->Entries.push_back(known->second);
-      continue;
-    }
     const auto next = static_cast<int>(this->Boxes.size());
-    if (layer == 0 || next / layer >= slots[2])
+    const int place = scalars ? uniform.emplace(*scalars, next).first->second : next;
+    if (place == next)
+    {
+      this->Boxes.push_back(this->BoxOf(page));
+    }
+    numbers.push_back(place);
+  }
+  return this->Place(numbers, most);
+}
+
+bool vtkTextureSlicePages::Place(const std::vector<int>& numbers, int most)
+{
+  std::array<int, 3> slots{}; // of the atlas along each axis: as few as they can be, z first
+  auto left = static_cast<int>(this->Boxes.size());
+  for (const std::size_t axis : {2, 1, 0})
+  {
+    int others = 1; // that the axes may have which are not chosen yet
+    for (std::size_t other = 0; other < axis; ++other)
+    {
+      others *= std::min(MostSlots, most / this->Texels[other]);
+    }
+    slots[axis] = others > 0 ? (left + others - 1) / others : MostSlots + 1;
+    left = (left + slots[axis] - 1) / slots[axis];
+    if (slots[axis] > std::min(MostSlots, most / this->Texels[axis]))
     {
       return false;
     }
-    this->Entries.push_back(
-      this->AddPage(page, {next % slots[0], next / slots[0] % slots[1], next / layer}));
-    if (scalars)
-    {
-      uniform.emplace(*scalars, this->Entries.back());
-    }
+    this->AtlasSize[axis] = slots[axis] * this->Texels[axis];
+  }
+  const auto slotOf = [&slots](int number)
+  {
+    return std::array<int, 3>{
+      number % slots[0], number / slots[0] % slots[1], number / (slots[0] * slots[1])};
+  };
+  for (std::size_t number = 0; number < this->Boxes.size(); ++number)
+  {
+    const std::array<int, 3> slot = slotOf(static_cast<int>(number));
+    this->Places.push_back(
+      {slot[0] * this->Texels[0], slot[1] * this->Texels[1], slot[2] * this->Texels[2]});
+  }
+  for (const int number : numbers)
+  {
+    const std::array<int, 3> slot = slotOf(number);
+    this->Entries.push_back({static_cast<unsigned char>(slot[0]),
+      static_cast<unsigned char>(slot[1]), static_cast<unsigned char>(slot[2]), 0});
   }
   return true;
 }
@@ -109,25 +132,17 @@ std::optional<std::vector<double>> vtkTextureSlicePages::FindScalars(
   return scalars;
 }
 
-vtkTextureSlicePages::Entry vtkTextureSlicePages::AddPage(
-  const std::array<int, 3>& page, const std::array<int, 3>& slot)
+vtkTextureSliceBlocks::Box vtkTextureSlicePages::BoxOf(const std::array<int, 3>& page) const
 {
-  Entry entry{};
   Box box{};
-  std::array<int, 3> place{};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     // The last page along an axis has all its texels too: it shares more of them.
     box.Begin[axis] =
       std::min(page[axis] * this->Intervals[axis], this->Size[axis] - this->Texels[axis]);
     box.End[axis] = box.Begin[axis] + this->Texels[axis];
-    place[axis] = slot[axis] * this->Texels[axis];
-    this->AtlasSize[axis] = std::max(this->AtlasSize[axis], place[axis] + this->Texels[axis]);
-    entry[axis] = static_cast<unsigned char>(slot[axis]);
   }
-  this->Boxes.push_back(box);
-  this->Places.push_back(place);
-  return entry;
+  return box;
 }
 
 void vtkTextureSlicePages::Upload(vtkOpenGLRenderWindow* window)

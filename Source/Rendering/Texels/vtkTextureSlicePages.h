@@ -55,7 +55,11 @@ private:
   /// As vtkTextureSliceBricks::FindScalars, of a page.
   std::optional<std::vector<double>> FindScalars(
     const std::array<int, 3>& page, const vtkTextureSliceBricks& bricks) const;
-  Entry AddPage(const std::array<int, 3>& page, const std::array<int, 3>& slot);
+  /// The texels of a page.
+  Box BoxOf(const std::array<int, 3>& page) const;
+  /// Chooses the size of the atlas, and where its pages stand; `numbers`: of each page of the
+  /// volume, which one of the atlas it is. False where an axis has more than `most` texels.
+  bool Place(const std::vector<int>& numbers, int most);
 
   std::array<int, 3> Size{1, 1, 1};      ///< texels of the volume
   std::array<int, 3> Intervals{1, 1, 1}; ///< between the first texels of two pages

@@ -93,10 +93,12 @@ VolumeStage::VolumeStage(const std::array<int, 2>& pictureSize)
   : size(pictureSize)
 {
   RequireDisplay();
-  const SceneOptions options;
+  SceneOptions options;
+  options.preIntegration = false;
   for (const MapperChoice choice : {MapperChoice::TextureSlice, MapperChoice::RayCast})
   {
-    mappers[static_cast<std::size_t>(choice)] = MakeVolumeMapper(choice, false);
+    options.mapper = choice;
+    mappers[static_cast<std::size_t>(choice)] = MakeVolumeMapper(options);
   }
   volume->SetProperty(MakeVolumeProperty());
   MakeTransferFunction(options)->FillProperty(volume->GetProperty());
