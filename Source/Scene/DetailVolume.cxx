@@ -38,6 +38,11 @@ std::array<int, 3> SidesOfCamera(const std::array<double, 6>& box, vtkCamera* ca
   return sides;
 }
 
+bool IsWithin(const std::array<double, 4>& faces, const std::array<double, 6>& box)
+{
+  return faces[0] >= box[0] && faces[1] <= box[1] && faces[2] >= box[2] && faces[3] <= box[3];
+}
+
 } // namespace
 
 RegionsAbout DivideAbout(const std::array<double, 6>& box, vtkCamera* camera)
@@ -112,7 +117,7 @@ void DetailVolume::Hide(vtkVolume* whole)
   }
 }
 
-void DetailVolume::Follow(vtkVolume* whole)
+void DetailVolume::Follow(vtkVolume* whole, const std::optional<SeenPart>& seen)
 {
   if (!shown)
   {
@@ -123,7 +128,7 @@ void DetailVolume::Follow(vtkVolume* whole)
   const RegionsAbout regions = DivideAbout(box, renderer->GetActiveCamera());
   Crop(vtkVolumeMapper::SafeDownCast(whole->GetMapper()), box, regions.behind);
   Crop(vtkVolumeMapper::SafeDownCast(front->GetMapper()), box, regions.before);
-  front->SetVisibility(regions.before != 0);
+  front->SetVisibility(regions.before != 0 && !(seen && IsWithin(seen->faces, box)));
 }
 
 } // namespace nexrad::scene

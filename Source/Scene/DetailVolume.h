@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Scene/Frame/CameraView.h"
+
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 class vtkCamera;
@@ -38,8 +41,9 @@ public:
   /// Draws the whole of the other volume again.
   void Hide(vtkVolume* whole);
 
-  /// Divides the other volume, as the camera sees it.
-  void Follow(vtkVolume* whole);
+  /// Divides the other volume, as the camera sees it. `seen`: what the picture shows of it. Where
+  /// that lies within the finer volume, nothing is drawn before it, which would take a texture.
+  void Follow(vtkVolume* whole, const std::optional<SeenPart>& seen);
 
 private:
   vtkSmartPointer<vtkRenderer> renderer;

@@ -328,7 +328,7 @@ void RadarScene::BeginFrame()
 {
   this->CheckSize();
   this->ShadeGround();
-  detail.Follow(volume);
+  detail.Follow(volume, detail.IsShown() ? FindSeen(renderer, size, frame.Bounds()) : std::nullopt);
 }
 
 void RadarScene::ShadeGround()
@@ -594,8 +594,10 @@ std::optional<BoxRequest> RadarScene::SeenBox() const
     return std::nullopt;
   }
   const auto [west, east, south, north] = seen->faces;
-  const std::array<double, 3> lower = frame.ToVolume({west, south, 0.0});
-  const std::array<double, 3> upper = frame.ToVolume({east, north, 0.0});
+  // Faces move by a part of a voxel when the box is read: it holds all that is seen nevertheless.
+  const double* voxel = image->GetSpacing();
+  const auto lower = frame.ToVolume({west - voxel[0], south - voxel[1], 0.0});
+  const auto upper = frame.ToVolume({east + voxel[0], north + voxel[1], 0.0});
   BoxRequest box;
   box.faces = {lower[0], upper[0], lower[1], upper[1]};
   box.spacing = std::max(1000.0 * seen->pixel, 1.0);

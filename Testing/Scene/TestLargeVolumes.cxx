@@ -7,6 +7,7 @@
 #include "StormVolume.h"
 #include "TestData.h"
 #include "Tolerance.h"
+#include "nexrad/Codec/NxvFile.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradVolumeScene.h"
 
@@ -18,7 +19,6 @@
 
 #include <array>
 #include <string>
-#include <tuple>
 
 using namespace nexrad;
 using namespace nexrad::testing;
@@ -101,21 +101,29 @@ TEST_F(LargeVolumes, ABoxHasTheFinestVoxelsThatAreAskedFor)
   EXPECT_EQ(SizeOf(this->LoadBox(box)), (std::array<int, 3>{2100, 32, 16})) << "in pages";
 }
 
-// 2100 × 64 × 16 voxels: 537,600 bytes of codes in the second size, and 67,200 in the third.
+// A code takes two bytes of a texture, in pages 2.3. The whole may take a quarter, a box the rest.
 TEST_F(LargeVolumes, TheyFitInTheTextureMemory)
 {
-  VolumeFileRequest request;
+  constexpr double wholeBytes = 4.0 * 2.0 * 1050 * 32 * 16;
+  NxvReadOptions finest;
+  finest.block = VoxelBlock::Of(MakeLargeStorm().grid);
+  const double boxBytes =
+    4.0 / 3.0 * 2.3 * static_cast<double>(CountVoxelsThatDiffer(path, finest));
   BoxRequest all;
   all.faces = {-300'000.0, 300'000.0, -100'000.0, 300'000.0};
   all.spacing = 1.0;
-  for (const auto& [memory, whole, box] :
-    {std::tuple{std::size_t(537'600), 1050, 2100}, {std::size_t(537'599), 525, 1050}})
+  for (const bool fits : {true, false})
   {
-    request.textureMemory = memory;
-    const auto limited = OpenVolumeFiles({path}, request);
-    limited->AllowCodes(true);
-    EXPECT_EQ(SizeOf(limited->Load(0, {}))[0], whole);
-    EXPECT_EQ(SizeOf(limited->LoadBox(0, all, {}))[0], box);
+    const auto open = [&](double bytes)
+    {
+      VolumeFileRequest request;
+      request.textureMemory = static_cast<std::size_t>(bytes) + (fits ? 1 : -4);
+      auto limited = OpenVolumeFiles({path}, request);
+      limited->AllowCodes(true);
+      return limited;
+    };
+    EXPECT_EQ(SizeOf(open(wholeBytes)->Load(0, {}))[0], fits ? 1050 : 525);
+    EXPECT_EQ(SizeOf(open(boxBytes)->LoadBox(0, all, {}))[0], fits ? 2100 : 1050);
   }
 }
 

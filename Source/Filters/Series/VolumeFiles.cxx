@@ -91,20 +91,26 @@ GriddedVolume Describe(const fs::path& path)
 // the graphics memory.
 constexpr std::size_t pictureBytesPerVoxel = 4;
 
-bool FitsAsWhole(const NxvReadOptions& options, std::size_t bytesPerVoxel, std::size_t memory)
+// A voxel takes twice its bytes of a texture: its value, and whether it is visible.
+constexpr double textureShare = 2.0;
+
+bool FitsAsWhole(const NxvReadOptions& options, std::size_t bytesPerVoxel, double memory)
 {
   constexpr int mostAlongAxis = 2048; // more than a picture has pixels
   const VoxelBlock& block = *options.block;
   const int most = std::max({block.Size(0), block.Size(1), block.Size(2)});
-  return most <= mostAlongAxis && block.VoxelCount() * bytesPerVoxel <= memory;
+  return most <= mostAlongAxis &&
+         textureShare * static_cast<double>(block.VoxelCount() * bytesPerVoxel) <= memory;
 }
 
 // Of parts that are all alike the slices store one. They draw codes; VTK's ray caster draws values.
-bool FitsInPages(const fs::path& path, const NxvReadOptions& options, std::size_t memory)
+bool FitsInPages(const fs::path& path, const NxvReadOptions& options, double memory)
 {
-  constexpr std::size_t timesAsMuch = 2; // of the computer
-  return options.block->VoxelCount() <= timesAsMuch * memory &&
-         CountVoxelsThatDiffer(path, options) <= memory;
+  constexpr double sharedTexels = 1.15; // of neighbouring pages
+  constexpr double timesAsMuch = 2.5;   // bytes of the computer
+  return static_cast<double>(options.block->VoxelCount()) <= timesAsMuch * memory &&
+         textureShare * sharedTexels * static_cast<double>(CountVoxelsThatDiffer(path, options)) <=
+           memory;
 }
 
 // A volume file, and the index that names it; without one, an empty path.
@@ -306,6 +312,8 @@ public:
 private:
   using Levels = std::vector<GridSpecification>;
 
+  static constexpr double partOfWhole = 0.25; // of the texture memory; a box may take the rest
+
   // What is read of a file, and whether as codes where that can be.
   struct Part
   {
@@ -343,7 +351,7 @@ private:
     const bool coarsest = request.fewVoxels && IsNxvInBricks(path);
     return this->FindPart(path, levels, coarsest ? levels.size() - 1 : 0, VoxelBlock::Of,
       [this](const NxvReadOptions& options, std::size_t bytes)
-      { return FitsAsWhole(options, bytes, request.textureMemory); });
+      { return FitsAsWhole(options, bytes, partOfWhole * this->TextureMemory()); });
   }
 
   Part FindBox(const fs::path& path, const Levels& levels, const BoxRequest& box) const
@@ -358,10 +366,13 @@ private:
       [&box](const GridSpecification& level) { return VoxelsOfBox(level, box); },
       [this, &path](const NxvReadOptions& options, std::size_t bytes)
       {
-        return bytes == 1 ? FitsInPages(path, options, request.textureMemory)
-                          : FitsAsWhole(options, bytes, request.textureMemory);
+        const double memory = (1.0 - partOfWhole) * this->TextureMemory();
+        return bytes == 1 ? FitsInPages(path, options, memory)
+                          : FitsAsWhole(options, bytes, memory);
       });
   }
+
+  double TextureMemory() const { return static_cast<double>(request.textureMemory); }
 
   static vtkSmartPointer<vtkImageData> ReadPart(const fs::path& path, const Part& part)
   {

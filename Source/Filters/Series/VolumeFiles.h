@@ -28,15 +28,16 @@ struct VolumeFileRequest
   PlaceUnit boxUnit = PlaceUnit::OfVolume; ///< of the faces of boxes
   bool allVoxels = false; ///< Load reads the smallest voxels, whatever memory they take
   bool fewVoxels = false; ///< of a file in bricks Load reads the largest voxels
-  std::size_t textureMemory = UsualMemory; ///< bytes that what Load or LoadBox reads may take of it
+  std::size_t textureMemory = UsualMemory; ///< bytes that a picture may take of it
 };
 
 /// Reads merged volumes from files, from an index of a series, or from folders of them. Of a file
-/// that has its volume in voxels of several sizes, Load and LoadBox read the smallest ones that fit
-/// in the texture memory, with at most 2048 voxels along each axis. Of codes LoadBox reads up to
-/// twice as many bytes, and counts only bricks whose voxels differ. Throws Error when an input does
-/// not exist or is none; Load, for a moment that a file does not have; LoadBox, for a box that
-/// moves or lies beside the volume, and for a file whose finest voxels Load reads.
+/// that has its volume in voxels of several sizes, Load reads the smallest ones that fit in a
+/// quarter of the texture memory, with at most 2048 voxels along each axis; LoadBox those that fit
+/// in the rest. Of codes LoadBox counts only bricks whose voxels differ, but reads at most twice as
+/// many as bytes. Throws Error when an input does not exist or is none; Load, for a moment that a
+/// file does not have; LoadBox, for a box that moves or lies beside the volume, and for a file
+/// whose finest voxels Load reads.
 std::unique_ptr<VolumeSeries> OpenVolumeFiles(const std::vector<std::filesystem::path>& inputs,
   const VolumeFileRequest& request = {{}, {}, true});
 
