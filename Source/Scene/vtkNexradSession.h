@@ -21,8 +21,8 @@
  * preset.
  *
  * A volume of a file that has it in voxels of several sizes is shown in the smallest ones that fit
- * in 256 MiB of texture memory; ShowTimeStep reads what the camera sees of it in voxels as fine as
- * the pixels, as far as these fit as well, and shows them in its place.
+ * in the scene's texture memory (option "texture-memory"); ShowTimeStep reads what the camera sees
+ * of it in voxels as fine as the pixels, as far as these fit as well, and shows them in its place.
  *
  * Errors: an input that does not exist or cannot be used, volumes mixed with radar files, a volume
  * that cannot be read or merged, and those of vtkNexradVolumeScene. After an error the scene shows
