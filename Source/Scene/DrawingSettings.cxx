@@ -419,7 +419,7 @@ void AddSlices(DrawingRows& rows)
     "along the view",
     NumberValue(0, 16384), [](auto& of) -> auto& { return of.scene.slices; }));
   rows.push_back(MakeRow(
-    pictureGroup, SettingUse::Machine, "texture-memory",
+    pictureGroup, use, "texture-memory",
     "Memory of the graphics card that the voxels of a volume may take, MiB or GiB: of volumes in "
     "several sizes of voxels the smallest that fit are drawn",
     TextureMemoryValue(), [](auto& of) -> auto& { return of.scene.textureMemory; }));
