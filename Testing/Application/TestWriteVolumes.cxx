@@ -395,12 +395,29 @@ TEST_F(WritingVolumes, AFailureOfOneWhileRowsAreSharedFailsAll)
   EXPECT_TRUE(this->Contents("out", 2) == expected);
 }
 
-// Tasks that run one after the other, without knowing of each other, make what one run makes.
-TEST_F(WritingVolumes, TasksMakeVolumesInBricksPartByPart)
+/// Tasks that make five volumes in bricks, of three parts of 128 rows.
+class MakingTasks : public WritingVolumes
 {
-  job.options.grid.dimensions = {70, 300, 10};
-  job.options.step = 10min;
-  job.written.largestWhole = 1000;
+protected:
+  MakingTasks()
+  {
+    job.options.grid.dimensions = {70, 300, 10};
+    job.options.step = 10min;
+    job.written.largestWhole = 1000;
+    job.folder = folder.Path() / "out";
+  }
+
+  // The error of a task; none when it is done.
+  std::string Run(const std::string& task)
+  {
+    job.task = ParseGridTask(task);
+    return MessageOf([this] { WriteVolumes(job); });
+  }
+};
+
+// Tasks that run one after the other, without knowing of each other, make what one run makes.
+TEST_F(MakingTasks, TasksMakeVolumesInBricksPartByPart)
+{
   const auto expected = this->Contents("alone");
   for (const std::vector<std::string>& tasks : {std::vector<std::string>{"scan:1/1", "rows:1/1"},
          {"scan:2/3", "scan:1/3", "scan:3/3", "rows:2/2", "rows:1/2"},
@@ -421,68 +438,52 @@ TEST_F(WritingVolumes, TasksMakeVolumesInBricksPartByPart)
   }
 }
 
-TEST_F(WritingVolumes, TasksThatFindNothingOfOthersSayWhatIsMissing)
+TEST_F(MakingTasks, TasksThatFindNothingOfOthersSayWhatIsMissing)
 {
-  job.options.grid.dimensions = {70, 300, 10};
-  job.options.step = 10min;
-  job.written.largestWhole = 1000;
-  job.folder = folder.Path() / "out";
-  const auto run = [this](const std::string& task)
-  {
-    job.task = ParseGridTask(task);
-    return MessageOf([this] { WriteVolumes(job); });
-  };
   const auto ends = [](const std::string& text, const std::string& end)
   { return text.size() > end.size() && text.substr(text.size() - end.size()) == end; };
   EXPECT_PRED2(
-    ends, run("rows:1/2"), "lacks what --task scan:1/N leaves there; run these tasks first");
-  EXPECT_EQ(run("scan:2/2"), "");
-  EXPECT_PRED2(ends, run("rows:1/2"), "scan-1-of-2: is missing; run --task scan:1/2 first");
-  EXPECT_EQ(run("scan:1/2"), "");
-  EXPECT_PRED2(ends, run("join"), "lacks what --task rows:1/N leaves there; run these tasks first");
-  EXPECT_EQ(run("rows:1/2"), "");
-  EXPECT_PRED2(ends, run("join"), "made-2-of-2: is missing; run --task rows:2/2 first");
-  EXPECT_EQ(run("rows:1/3"), "");
-  EXPECT_PRED2(ends, run("join"),
+    ends, this->Run("rows:1/2"), "lacks what --task scan:1/N leaves there; run these tasks first");
+  EXPECT_EQ(this->Run("scan:2/2"), "");
+  EXPECT_PRED2(ends, this->Run("rows:1/2"), "scan-1-of-2: is missing; run --task scan:1/2 first");
+  EXPECT_EQ(this->Run("scan:1/2"), "");
+  EXPECT_PRED2(
+    ends, this->Run("join"), "lacks what --task rows:1/N leaves there; run these tasks first");
+  EXPECT_EQ(this->Run("rows:1/2"), "");
+  EXPECT_PRED2(ends, this->Run("join"), "made-2-of-2: is missing; run --task rows:2/2 first");
+  EXPECT_EQ(this->Run("rows:1/3"), "");
+  EXPECT_PRED2(ends, this->Run("join"),
     "holds parts of different numbers of --task rows; remove the folder, and begin anew");
   EXPECT_FALSE(fs::exists(job.folder / "volumes.nxv.series"));
   // Tasks with other options share nothing with these.
   job.recipe = "another step";
   EXPECT_PRED2(
-    ends, run("rows:1/2"), "lacks what --task scan:1/N leaves there; run these tasks first");
+    ends, this->Run("rows:1/2"), "lacks what --task scan:1/N leaves there; run these tasks first");
 }
 
-TEST_F(WritingVolumes, TasksNoticeWhatTheyCannotDivide)
+TEST_F(MakingTasks, TasksNoticeWhatTheyCannotDivide)
 {
-  job.options.grid.dimensions = {70, 300, 10};
-  job.options.step = 10min;
-  job.written.largestWhole = 1000;
-  job.folder = folder.Path() / "out";
-  const auto run = [this](const std::string& task)
-  {
-    job.task = ParseGridTask(task);
-    return MessageOf([this] { WriteVolumes(job); });
-  };
   // A file that comes after the rows were made changes what these are made of.
-  EXPECT_EQ(run("scan:1/1"), "");
-  EXPECT_EQ(run("rows:1/1"), "");
+  EXPECT_EQ(this->Run("scan:1/1"), "");
+  EXPECT_EQ(this->Run("rows:1/1"), "");
   const Site keax = {"KEAX", Position{38.81, -94.264, 333.0}};
   this->Write("late", keax, start + 17min, 55.0);
-  EXPECT_NE(run("join").find("these rows were made of other files"), std::string::npos);
-  EXPECT_EQ(run("rows:1/1"), "");
-  EXPECT_EQ(run("join"), "");
+  EXPECT_NE(this->Run("join").find("these rows were made of other files"), std::string::npos);
+  EXPECT_EQ(this->Run("rows:1/1"), "");
+  EXPECT_EQ(this->Run("join"), "");
   // A header that errs hides nothing from the scan, but it may hide when the run ends.
   this->Write("later", keax, start + 60min, 55.0);
   SetHeaderTime(files.back(), start + 18min);
-  EXPECT_EQ(run("scan:1/1"), "");
-  EXPECT_EQ(run("rows:1/1"), "some files hold other radars or times than their headers say: make "
-                             "these volumes without --task");
+  EXPECT_EQ(this->Run("scan:1/1"), "");
+  EXPECT_EQ(this->Run("rows:1/1"),
+    "some files hold other radars or times than their headers say: make "
+    "these volumes without --task");
   // All files tell the biases.
   job.options.measureBiases = true;
-  EXPECT_EQ(run("scan:1/1"),
+  EXPECT_EQ(this->Run("scan:1/1"),
     "the headers do not tell which files are needed: make these volumes in one run");
   job.written.largestWhole = 1'000'000;
-  EXPECT_EQ(run("scan:1/1"),
+  EXPECT_EQ(this->Run("scan:1/1"),
     "--task divides volumes in bricks alone: merged, nxv, of more than 134 million voxels");
 }
 

@@ -169,8 +169,7 @@ void AddGridCommand(CLI::App& program, CommandAction& action)
     "(default: radar; of the method thesis its own code, whole dBZ from 1 to 80)");
   AddParsedOption(*command, "--task", options->job.task, ParseGridTask, "TASK",
     "Do a part of the run alone, of volumes of more than 134 million voxels: scan:K/N (find out "
-    "what "
-    "part K of N of the files hold), then rows:K/N (make part K of N of the rows), then join "
+    "what part K of N of the files hold), then rows:K/N (make part K of N of the rows), then join "
     "(default: the whole run)");
   command->add_flag(
     "--json", options->json, "Print what was made as JSON (default: lines of text)");
