@@ -589,7 +589,8 @@ std::optional<BoxRequest> RadarScene::SeenBox() const
   vtkImageData* image = this->Drawn();
   const auto seen =
     options.plan || image == nullptr ? std::nullopt : FindSeen(renderer, size, frame.Bounds());
-  if (!seen || image->GetSpacing()[0] <= seen->pixel)
+  constexpr double pixelsOfAVoxel = 1.25; // that need no finer one, linear between voxels
+  if (!seen || image->GetSpacing()[0] <= pixelsOfAVoxel * seen->pixel)
   {
     return std::nullopt;
   }

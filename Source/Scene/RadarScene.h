@@ -84,7 +84,8 @@ public:
   /// How volume and scene belong together.
   const SceneFrame& Frame() const { return frame; }
   /// The part of the domain that the picture shows, in voxels of the size of its pixels. Nothing
-  /// where those of the volume are no larger, and where the picture shows no part of it, or a map.
+  /// where those of the volume are hardly larger, and where the picture shows no part of it, or a
+  /// map.
   std::optional<BoxRequest> SeenBox() const;
 
   /// Draws for another size of the renderer, if it has one: letters grow with its height.

@@ -320,8 +320,8 @@ public:
   /// is shown.
   const nexrad::scene::SceneFrame* GetSceneFrame() const;
   /// The part of the domain that the picture shows as it was drawn last, in voxels of the size of
-  /// its pixels. Nothing where those of the volume are no larger, and where the picture shows no
-  /// part of a volume, or a map.
+  /// its pixels. Nothing where those of the volume are hardly larger, and where the picture shows
+  /// no part of a volume, or a map.
   std::optional<nexrad::BoxRequest> SeenBox() const;
   /// The frame is that of this echo, as after AddToFrame.
   void HoldEcho(const std::optional<nexrad::scene::EchoExtent>& echo);
