@@ -45,7 +45,7 @@ TEST(LargePictures, ShowNoSeamWhereTheFineVoxelsEnd)
   session->AddFileName(path.c_str());
   vtkNexradVolumeScene* scene = session->GetScene();
   OffScreenWindow window(scene->GetRenderer(), largeSize);
-  for (const double zoom : {4.0, 10.0})
+  for (const double zoom : {5.0, 10.0})
   {
     LookAtStorm(scene, zoom);
     ASSERT_TRUE(session->ShowTimeStep(0));
