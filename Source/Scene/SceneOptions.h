@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Filters/Series/VolumeFiles.h"
 #include "Scene/Frame/SceneFrame.h"
 #include "Scene/Plan/PlanView.h"
 #include "Scene/Shapes/Theme.h"
@@ -63,8 +64,7 @@ struct SceneOptions
     true;         ///< between voxels; else each place has its nearest voxel's value
   int slices = 0; ///< or samples along the longest ray; 0: about three for every eight voxels along
                   ///< the view
-  std::size_t textureMemory = std::size_t(256)
-                              << 20;     ///< bytes of it that the voxels of a volume may take
+  std::size_t textureMemory = VolumeFileRequest::UsualMemory; ///< bytes that voxels may take of it
   std::optional<double> opacityDistance; ///< km of the scene to which opacities belong, above 0;
                                          ///< empty: OpacityDistanceOf the echo
   FrameChoice framing = FrameChoice::Echo;
