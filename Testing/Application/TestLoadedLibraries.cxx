@@ -41,12 +41,14 @@ TEST(LoadedLibraries, NothingLoadsMpiWithoutMpiexec)
   EXPECT_EQ(grid.find("libmpi"), std::string::npos);
 }
 
-TEST(LoadedLibraries, OnlyDrawingLoadsRendering)
+TEST(LoadedLibraries, OnlyMergingLoadsVtkAndOnlyDrawingLoadsRendering)
 {
   const std::string info = LinkerReport({"info", "/dev/null"});
   EXPECT_NE(info.find("calling init: "), std::string::npos) << "the linker reported nothing";
-  EXPECT_FALSE(LoadsRendering(info));
-  EXPECT_FALSE(LoadsRendering(LinkerReport({"grid", "/nonexistent", "-o", "/nonexistent"})));
+  EXPECT_EQ(info.find("libvtk"), std::string::npos);
+  const std::string grid = LinkerReport({"grid", "/nonexistent", "-o", "/nonexistent"});
+  EXPECT_NE(grid.find("libvtkCommonCore"), std::string::npos);
+  EXPECT_FALSE(LoadsRendering(grid));
   // The library is loaded before it looks for its inputs.
   EXPECT_TRUE(LoadsRendering(LinkerReport({"render", "/nonexistent", "-o", "/nonexistent.png"})));
 }

@@ -27,19 +27,12 @@ enum ExitStatus
 /// and becomes Failed.
 using CommandAction = std::function<int()>;
 
-/// Radar files of any number of sites to one merged volume for each time step.
-void AddGridCommand(CLI::App& program, CommandAction& action);
-
 /// What is in Level II files and folders of chunks, as a table or as JSON. Damage goes to standard
 /// error, one line each: "file: offset N: what".
 void AddInfoCommand(CLI::App& program, CommandAction& action);
 
 /// The synthetic storm day as Level II files.
 void AddSimulateCommand(CLI::App& program, CommandAction& action);
-
-/// Folders into which volumes or chunks arrive to the newest merged volume, its picture and a
-/// series that grows.
-void AddWatchCommand(CLI::App& program, CommandAction& action);
 
 /// The wind profile of each volume, as a table or JSON.
 void AddWindCommand(CLI::App& program, CommandAction& action);

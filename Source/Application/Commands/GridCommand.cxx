@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Commands/CommandLine.h"
-
+#include "Commands/LoadedCommands.h"
+#include "Libraries/VtkErrors.h"
 #include "Options/ThreadOptions.h"
 #include "Options/UnitOptions.h"
 #include "Output/BiasOutput.h"
@@ -137,52 +137,49 @@ int RunGrid(GridCommandOptions& options)
 
 } // namespace
 
-void AddGridCommand(CLI::App& program, CommandAction& action)
+NEXRAD_ADD_OPTIONS(grid)(CLI::App& command, CommandAction& action)
 {
   const auto options = std::make_shared<GridCommandOptions>();
-  CLI::App* command = program.add_subcommand(
-    "grid", "Merge radar files of any number of sites into one volume for each time step");
   command
-    ->add_option("input", options->job.inputs, "Level II files, chunk folders, folders of these")
+    .add_option("input", options->job.inputs, "Level II files, chunk folders, folders of these")
     ->required()
     ->type_name("INPUT");
   command
-    ->add_option("-o,--output", options->job.folder,
+    .add_option("-o,--output", options->job.folder,
       "Folder that takes the volumes and their index; made when it does not exist")
     ->required()
     ->type_name("DIR");
   const auto formats = ChoiceValue<VolumeFormat>(
     "format of volumes", {{"nxv", VolumeFormat::Nxv}, {"nc", VolumeFormat::NetCDF}});
-  AddValueOption(*command, "--format", options->job.written.format, formats,
+  AddValueOption(command, "--format", options->job.written.format, formats,
     "nxv: compressed volumes of this project; nc: NetCDF with the CF conventions, for other "
     "programs");
-  command->add_flag("--one-file", options->job.oneFile,
+  command.add_flag("--one-file", options->job.oneFile,
     "Write all times into one file, volumes.nc (default: a file for each time); of --format nc");
-  command->add_flag("--per-radar", options->job.perRadar,
+  command.add_flag("--per-radar", options->job.perRadar,
     "Write a volume of each radar alone, on the grid of all, with azimuth, elevation, slant range "
     "and "
     "age, as multi-Doppler analysis needs them (default: merge the radars)");
   const auto codes = ChoiceValue<NxvEncoding>(
     "code of volumes", {{"radar", NxvEncoding::RadarSteps}, {"exact", NxvEncoding::Float}});
-  AddParsedOption(*command, "--code", options->job.written.encoding, codes.parse, codes.unit,
+  AddParsedOption(command, "--code", options->job.written.encoding, codes.parse, codes.unit,
     "How nxv stores values: radar (the steps that the radar sends; half dBZ for REF), or exact "
     "(default: radar; of the method thesis its own code, whole dBZ from 1 to 80)");
-  AddParsedOption(*command, "--task", options->job.task, ParseGridTask, "TASK",
+  AddParsedOption(command, "--task", options->job.task, ParseGridTask, "TASK",
     "Do a part of the run alone, of volumes of more than 134 million voxels: scan:K/N (find out "
     "what part K of N of the files hold), then rows:K/N (make part K of N of the rows), then join "
     "(default: the whole run)");
-  command->add_flag(
-    "--json", options->json, "Print what was made as JSON (default: lines of text)");
-  AddQuietOption(*command, options->quiet);
-  AddGridOptions(*command, options->job.options);
-  AddThreadsOption(*command);
-  command->callback(
-    [options, &action, command]
+  command.add_flag("--json", options->json, "Print what was made as JSON (default: lines of text)");
+  AddQuietOption(command, options->quiet);
+  AddGridOptions(command, options->job.options);
+  AddThreadsOption(command);
+  command.callback(
+    [options, &action, &command]
     {
       CheckFormat(options->job);
       options->job.options.beam.ancillary |= options->job.perRadar;
-      const auto written = [command](const char* name)
-      { return command->count(name) > 0 ? command->get_option(name)->as<std::string>() : ""; };
+      const auto written = [&command](const char* name)
+      { return command.count(name) > 0 ? command.get_option(name)->as<std::string>() : ""; };
       options->job.recipe =
         RecipeOf("nexrad3d " NEXRAD_VERSION " grid\n--format " + written("--format") + "\n--code " +
                    written("--code") + (options->job.oneFile ? "\n--one-file" : "") +
@@ -192,8 +189,8 @@ void AddGridCommand(CLI::App& program, CommandAction& action)
       {
         options->job.recipe += '\n' + input.string();
       }
-      options->job.written.history = HistoryOf(*command);
-      action = [options] { return RunGrid(*options); };
+      options->job.written.history = HistoryOf(command);
+      action = [options] { return FailOnVtkErrors([&] { return RunGrid(*options); }); };
     });
 }
 

@@ -13,7 +13,10 @@ namespace nexrad::application
 namespace
 {
 
-const ProgramLibrary sceneLibrary = {"nexrad3d-scene.so", "draws", "nexrad3d-scene"};
+const ProgramLibrary sceneLibrary = {
+  "nexrad3d-scene.so", "draws", "nexrad3d-scene, which needs VTK"};
+const ProgramLibrary volumesLibrary = {
+  "nexrad3d-volumes.so", "merges", "nexrad3d-volumes, which needs VTK"};
 const ProgramLibrary windowLibrary = {"nexrad3d-window.so", "has the window of view",
   "nexrad3d-window, which needs Qt 5 and VTK's module GUISupportQt"};
 
@@ -48,6 +51,12 @@ void AddDemoCommand(CLI::App& program, CommandAction& action)
     "the files, and draw pictures and a movie; all are marked SYNTHETIC");
 }
 
+void AddGridCommand(CLI::App& program, CommandAction& action)
+{
+  AddLoadedCommand(program, action, volumesLibrary, "grid",
+    "Merge radar files of any number of sites into one volume for each time step");
+}
+
 void AddRenderCommand(CLI::App& program, CommandAction& action)
 {
   AddLoadedCommand(program, action, sceneLibrary, "render",
@@ -58,6 +67,13 @@ void AddViewCommand(CLI::App& program, CommandAction& action)
 {
   AddLoadedCommand(program, action, windowLibrary, "view",
     "Show volumes, radar files, or a session that was saved (.nxsession), in a window");
+}
+
+void AddWatchCommand(CLI::App& program, CommandAction& action)
+{
+  AddLoadedCommand(program, action, volumesLibrary, "watch",
+    "Follow folders into which volumes or real-time chunks of any number of sites arrive; keep the "
+    "newest merged volume, its picture and a series of volumes current");
 }
 
 void AddWebCommand(CLI::App& program, CommandAction& action)

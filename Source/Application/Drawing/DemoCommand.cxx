@@ -2,6 +2,7 @@
 #include "Commands/LoadedCommands.h"
 #include "Commands/SimulatedFiles.h"
 #include "Drawing/Render.h"
+#include "Libraries/VtkErrors.h"
 #include "Options/UnitOptions.h"
 #include "Output/OutputFile.h"
 #include "Output/ProgressBar.h"
@@ -177,7 +178,8 @@ NEXRAD_ADD_OPTIONS(demo)(CLI::App& command, CommandAction& action)
   AddParsedOption(command, "--size", options->size, ParsePictureSize, "WxH",
     "Width and height of the pictures in pixels; the movie has three quarters", "1280x720");
   AddQuietOption(command, options->quiet);
-  command.callback([options, &action] { action = [options] { return RunDemo(*options); }; });
+  command.callback([options, &action]
+    { action = [options] { return FailOnVtkErrors([&] { return RunDemo(*options); }); }; });
 }
 
 } // namespace nexrad::application

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Commands/LoadedCommands.h"
 #include "Drawing/Render.h"
+#include "Libraries/VtkErrors.h"
 #include "Options/DrawingOptions.h"
 #include "Options/ThreadOptions.h"
 #include "Options/UnitOptions.h"
@@ -110,7 +111,7 @@ NEXRAD_ADD_OPTIONS(render)(CLI::App& command, CommandAction& action)
   {
     FinishDrawingOptions(command, options->request);
     CheckOutput(options->request);
-    action = [options] { return RunRender(*options); };
+    action = [options] { return FailOnVtkErrors([&] { return RunRender(*options); }); };
   };
   command.callback(run);
 }

@@ -3,8 +3,7 @@
 
 #include "nexrad/System/Error.h"
 
-#include <vtksys/DynamicLoader.hxx>
-
+#include <dlfcn.h>
 #include <filesystem>
 
 namespace fs = std::filesystem;
@@ -34,12 +33,12 @@ AnyFunction LoadProgramFunction(const ProgramLibrary& library, const std::string
   }
   const std::string path = place.string();
   // Never closed: VTK's factories, a graphics driver or MPI keep pointers into it.
-  vtksys::DynamicLoader::LibraryHandle handle = vtksys::DynamicLoader::OpenLibrary(path);
+  void* const handle = dlopen(path.c_str(), RTLD_LAZY);
   if (handle == nullptr)
   {
-    throw Error(path + ": cannot be loaded: " + vtksys::DynamicLoader::LastError());
+    throw Error(path + ": cannot be loaded: " + dlerror());
   }
-  const auto found = vtksys::DynamicLoader::GetSymbolAddress(handle, function);
+  void* const found = dlsym(handle, function.c_str());
   if (found == nullptr)
   {
     throw Error(path + ": is not the library of this program; install both again");

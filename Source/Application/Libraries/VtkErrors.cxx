@@ -93,15 +93,17 @@ void ThrowVtkErrors()
   }
 }
 
-bool IsFreeOfVtkErrors()
+int FailOnVtkErrors(const CommandAction& work)
 {
+  TakeVtkErrors();
+  const int status = work();
   ErrorWindow* window = ErrorWindow::Get();
   const std::string error = NextVtkError();
   if (!error.empty())
   {
     PrintMessage("nexrad3d: " + error);
   }
-  return window == nullptr || !window->HasFailed();
+  return window != nullptr && window->HasFailed() ? int(Failed) : status;
 }
 
 } // namespace nexrad::application

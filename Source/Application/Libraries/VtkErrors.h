@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Commands/CommandLine.h"
+
 #include <string>
 
 namespace nexrad::application
 {
 
 /// From now on the program takes the errors and warnings of VTK's objects, which VTK would print in
-/// several lines each. A warning is printed as one line at once. An error makes the command fail.
-/// The libraries that the program loads share this; without it, the functions below do nothing.
+/// several lines each. A warning is printed as one line at once. The libraries that the program
+/// loads share this; without it, no error is known to the next two functions.
 void TakeVtkErrors();
 
 /// The first error since the last call, for who shows it to the user; empty without one.
@@ -18,7 +20,8 @@ std::string NextVtkError();
 /// was made is written.
 void ThrowVtkErrors();
 
-/// True where no error came at all. Prints one that nobody has asked for.
-bool IsFreeOfVtkErrors();
+/// Takes VTK's errors and does a command's work, which fails where any came. Prints one that nobody
+/// has asked for. What the work throws passes.
+int FailOnVtkErrors(const CommandAction& work);
 
 } // namespace nexrad::application

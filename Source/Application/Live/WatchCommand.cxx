@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Commands/CommandLine.h"
-
+#include "Commands/LoadedCommands.h"
+#include "Libraries/VtkErrors.h"
 #include "Live/WatchRun.h"
 #include "Options/ThreadOptions.h"
 #include "Options/UnitOptions.h"
@@ -131,39 +131,36 @@ int RunWatch(const WatchOptions& options)
 
 } // namespace
 
-void AddWatchCommand(CLI::App& program, CommandAction& action)
+NEXRAD_ADD_OPTIONS(watch)(CLI::App& command, CommandAction& action)
 {
   const auto options = std::make_shared<WatchOptions>();
   WatchJob& job = options->job;
-  CLI::App* command = program.add_subcommand("watch",
-    "Follow folders into which volumes or real-time chunks of any number of sites arrive; keep the "
-    "newest merged volume, its picture and a series of volumes current");
   command
-    ->add_option("folder", job.folders,
+    .add_option("folder", job.folders,
       "Folders with Level II files, chunks named as 20060312-180000-001-S, or folders of these")
     ->required()
     ->type_name("FOLDER");
   command
-    ->add_option("-o,--output", job.output,
+    .add_option("-o,--output", job.output,
       "Folder that takes newest.nxv, newest.png, the volumes of the time steps with their index, "
       "and status.json; made when it does not exist")
     ->required()
     ->type_name("DIR");
-  AddWaiting(*command, job);
+  AddWaiting(command, job);
   CLI::Option* without =
-    command->add_flag("--no-picture", options->noPicture, "Draw no picture")->group(group);
+    command.add_flag("--no-picture", options->noPicture, "Draw no picture")->group(group);
   command
-    ->add_option("--draw", options->drawing,
+    .add_option("--draw", options->drawing,
       "Options of render for the picture, as in \"--size 800x600 --tilt 60\" (default: --size "
       "1280x720)")
     ->type_name("OPTIONS")
     ->excludes(without)
     ->group(group);
-  AddQuietOption(*command, options->quiet);
-  AddGridOptions(*command, job.options);
-  AddThreadsOption(*command);
-  command->callback(
-    [options, &action, command]
+  AddQuietOption(command, options->quiet);
+  AddGridOptions(command, job.options);
+  AddThreadsOption(command);
+  command.callback(
+    [options, &action, &command]
     {
       WatchJob& given = options->job;
       given.recipe = RecipeOf("nexrad3d watch", given.options);
@@ -174,13 +171,13 @@ void AddWatchCommand(CLI::App& program, CommandAction& action)
       if (!options->noPicture)
       {
         given.drawing = DrawingWords(options->drawing);
-        const std::vector<std::string> threads = GivenThreads(*command);
+        const std::vector<std::string> threads = GivenThreads(command);
         const bool own =
           std::find(given.drawing.begin(), given.drawing.end(), "--threads") != given.drawing.end();
         given.drawing.insert(
           given.drawing.end(), threads.begin(), own ? threads.begin() : threads.end());
       }
-      action = [options] { return RunWatch(*options); };
+      action = [options] { return FailOnVtkErrors([&] { return RunWatch(*options); }); };
     });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Commands/LoadedCommands.h"
 #include "Drawing/PictureWindow.h"
+#include "Libraries/VtkErrors.h"
 #include "Options/DrawingOptions.h"
 #include "Options/ThreadOptions.h"
 #include "Options/UnitOptions.h"
@@ -60,6 +61,13 @@ Outcome RunWindow(const viewer::ViewRequest& request)
   return outcome;
 }
 
+int RunView(const ViewOptions& options)
+{
+  const Outcome outcome = RunWindow(options.request);
+  PrintOutcome(outcome, options.quiet);
+  return outcome.problems.empty() ? Done : DoneWithDamage;
+}
+
 } // namespace
 
 NEXRAD_ADD_OPTIONS(view)(CLI::App& command, CommandAction& action)
@@ -81,12 +89,7 @@ NEXRAD_ADD_OPTIONS(view)(CLI::App& command, CommandAction& action)
   const auto run = [options, &command, &action]
   {
     FinishDrawingOptions(command, options->request);
-    action = [options]
-    {
-      const Outcome outcome = RunWindow(options->request);
-      PrintOutcome(outcome, options->quiet);
-      return outcome.problems.empty() ? Done : DoneWithDamage;
-    };
+    action = [options] { return FailOnVtkErrors([&] { return RunView(*options); }); };
   };
   command.callback(run);
 }

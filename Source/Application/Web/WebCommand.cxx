@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Commands/LoadedCommands.h"
+#include "Libraries/VtkErrors.h"
 #include "Options/DrawingOptions.h"
 #include "Options/UnitOptions.h"
 #include "Output/MessageOutput.h"
@@ -62,7 +63,7 @@ NEXRAD_ADD_OPTIONS(web)(CLI::App& command, CommandAction& action)
   const auto run = [options, &command, &action]
   {
     options->request.input.momentNamed = command.count("--moment") > 0;
-    action = [options] { return RunWeb(*options); };
+    action = [options] { return FailOnVtkErrors([&] { return RunWeb(*options); }); };
   };
   command.callback(run);
 }
