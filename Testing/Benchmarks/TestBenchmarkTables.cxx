@@ -42,6 +42,8 @@ TEST(BenchmarkTables, MeasuresASeriesOfFiles)
   EXPECT_NEAR(decode[0]["ratio"].get<double>(),
     decode[0]["decode_s"]["median"].get<double>() / decode[0]["bare_s"]["median"].get<double>(),
     1e-9);
+  EXPECT_GT(decode[0]["info_s"]["median"], 0.0);
+  EXPECT_GT(decode[0]["info_ratio"], 0.0);
   const Json& grid = report["tables"]["grid"]["rows"];
   ASSERT_EQ(grid.size(), 2U);
   EXPECT_EQ(grid[0]["dimensions"], "32x32x16");

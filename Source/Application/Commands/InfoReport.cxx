@@ -10,6 +10,7 @@
 #include "nexrad/Model/SweepWaveforms.h"
 #include "nexrad/Polar/PolarVolume.h"
 #include "nexrad/Quality/EchoClassification.h"
+#include "nexrad/System/RangeLoop.h"
 
 #include <nlohmann/json.hpp>
 
@@ -190,8 +191,9 @@ const char* ShortNameOf(Waveform waveform)
   return "-";
 }
 
-void PrintSweep(const Sweep& sweep, std::size_t index, std::ostream& out)
+std::string DescribeSweep(const Sweep& sweep, std::size_t index)
 {
+  std::ostringstream out;
   const Ray& first = sweep.rays.front();
   out << std::fixed << std::setw(7) << index << std::setw(5) << sweep.elevationNumber
       << std::setw(8) << std::setprecision(2) << sweep.MedianElevation() << std::setw(6)
@@ -211,6 +213,17 @@ void PrintSweep(const Sweep& sweep, std::size_t index, std::ostream& out)
     }
   }
   out << '\n';
+  return out.str();
+}
+
+// What `make` makes of the sweeps, in their order. It reads all of their gates, side by side.
+template <class Made, class Make>
+std::vector<Made> OfEachSweep(const RadarVolume& volume, const Make& make)
+{
+  std::vector<Made> made(volume.sweeps.size());
+  RunEach(ThreadLoop(CoreCount()), made.size(),
+    [&](std::size_t index) { made[index] = make(volume.sweeps[index], index); });
+  return made;
 }
 
 void PrintGate(const Json& gate, std::ostream& out)
@@ -277,11 +290,9 @@ Json MakeInfoJson(const RadarVolume& volume, const InfoRequest& request)
   {
     info["damage"].push_back({{"offset", damage.offset}, {"what", damage.what}});
   }
-  const double beamWidth = BeamWidthOf(volume.site);
-  for (std::size_t index = 0; index < volume.sweeps.size(); ++index)
-  {
-    info["sweeps"].push_back(MakeSweep(volume.sweeps[index], index, beamWidth));
-  }
+  info["sweeps"] = OfEachSweep<Json>(volume,
+    [beamWidth = BeamWidthOf(volume.site)](const Sweep& sweep, std::size_t index)
+    { return MakeSweep(sweep, index, beamWidth); });
   for (const GateRequest& gate : request.gates)
   {
     info["gates"].push_back(MakeGate(volume, gate));
@@ -310,9 +321,9 @@ void PrintInfoTable(const RadarVolume& volume, const InfoRequest& request, std::
     out << "  sweep  cut  elev.°  rays  start (UTC)   Nyq. m/s  wave    km  moments: gates (lowest "
            "to highest)\n";
   }
-  for (std::size_t index = 0; index < volume.sweeps.size(); ++index)
+  for (const std::string& line : OfEachSweep<std::string>(volume, DescribeSweep))
   {
-    PrintSweep(volume.sweeps[index], index, out);
+    out << line;
   }
   if (const auto echo = CountEcho(volume, request))
   {
