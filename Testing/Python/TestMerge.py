@@ -9,6 +9,8 @@ import inspect
 import os
 import pathlib
 import subprocess
+import threading
+import time
 import unittest
 from xml.etree import ElementTree
 
@@ -112,6 +114,31 @@ class Merges(unittest.TestCase):
         self.assertTrue((series[1]["REF"].values.data != kept.data).any())
         numpy.testing.assert_array_equal(first["REF"].values.data, kept.data)
 
+    def test_durations_and_dims_as_text(self):
+        for step, dims in ((300.0, DIMS), ("5min", "40x36x16"), ("300s", "40,36,16"), (datetime.timedelta(minutes=5), [*DIMS])):
+            series = vtknexrad.merge(SyntheticFiles.files(), dims=dims, step=step)
+            self.assertEqual((len(series), series[0].shape), (3, DIMS[::-1]))
+
+    def test_other_threads_go_on(self):
+        ticks, end = [time.perf_counter()], threading.Event()
+
+        def tick():
+            while not end.is_set():
+                time.sleep(0.001)
+                ticks.append(time.perf_counter())
+
+        ticking = threading.Thread(target=tick)
+        ticking.start()
+        begin = time.perf_counter()
+        volume = vtknexrad.merge(SyntheticFiles.files(), dims=(256, 256, 128))[0]
+        lasted = time.perf_counter() - begin
+        end.set()
+        ticking.join()
+        self.assertEqual(volume.shape, (128, 256, 256))
+        self.assertGreater(lasted, 0.1)
+        # Where the interpreter stood still, nearly all of it was silent.
+        self.assertLess(max(numpy.diff(ticks)), 0.5 * lasted)
+
     def test_one_path_is_enough(self):
         series = vtknexrad.merge(pathlib.Path(SyntheticFiles.files()[0]), dims=(4, 4, 4))
         self.assertEqual(len(series), 1)
@@ -142,6 +169,8 @@ class Refusals(unittest.TestCase):
         self.refuse("a number of dims is 0; it must be a whole number from 1 to 1073741824", dims=(2, 3, 0))
         self.refuse("despeckle is 27; it must be a whole number from 0 to 26", despeckle=27)
         self.refuse("step is 0; it must be above 0", step=0)
+        self.refuse("step is 0; it must be above 0", step="0min")
+        self.refuse("'5 minutes' is no duration; write a number and s, min, h, d, as in '5min'", step="5 minutes")
         self.refuse("range is nan; it must be above 0", range=float("nan"))
         self.refuse("max_gap is -1 s; it must not be negative", max_gap=-1)
         self.refuse("'noon' is no time; write it as 2006-03-12T18:05", begin="noon")
@@ -348,9 +377,21 @@ class Series(unittest.TestCase):
         finally:
             os.rename(index + "-away", index)
         numpy.testing.assert_array_equal(without.times, with_index.times)
-        for at in ("2006-03-12T18:00", "2006-03-12T18:07", "2006-03-12T18:10", "2006-03-12T20:00"):
+        for at in ("2006-03-12T18:05", "2006-03-12T18:07", "2006-03-12T18:10", "2006-03-12T18:15"):
             self.assertEqual(without.at(at).time, with_index.at(at).time)
         self.assertEqual(vtknexrad.open(without[1:].write(path_of("part"))).times[0], with_index.times[1])
+
+    def test_times_without_data(self):
+        reach = "; the volumes are of 2006-03-12 18:05:00 UTC to 2006-03-12 18:15:00 UTC"
+        for series, times in ((vtknexrad.open(exact()), ("2006-03-12T18:04:59", "2006-03-12T18:15:01")),
+                              (merge(), ("2006-03-12T17:30", "2006-03-12T20:00"))):
+            for time in times:
+                with self.assertRaises(IndexError) as caught:
+                    series.at(time)
+                text = time.replace("T", " ") + (":00" if time.count(":") == 1 else "")
+                self.assertEqual(str(caught.exception), f"no radar scanned anything at {text} UTC{reach}")
+        with self.assertRaisesRegex(vtknexrad.OutOfRange, "^there are no volumes$"):
+            merge()[:0].at("2006-03-12T18:05")
 
     def test_several_indices(self):
         folder = path_of("indices")

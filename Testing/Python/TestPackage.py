@@ -2,6 +2,7 @@
 """The package as a user meets it: classes, help, times, errors, arrays in the shape of their grid."""
 
 import datetime
+import inspect
 import os
 import subprocess
 import sys
@@ -48,6 +49,23 @@ class Classes(unittest.TestCase):
         text = vtknexrad.vtkNexradDayReader.SetMaximumGap.__doc__
         self.assertIn("seconds", text)
         self.assertIn("900 by default", text)
+
+
+class Names(unittest.TestCase):
+    def test_completion_offers_no_modules(self):
+        names = dir(vtknexrad)
+        self.assertTrue({"open", "merge", "State", "RadarVolume", "vtkNexradDayReader"} <= set(names))
+        self.assertEqual([name for name in names if inspect.ismodule(getattr(vtknexrad, name))], [])
+
+    def test_keywords_of_open(self):
+        self.assertEqual([*inspect.signature(vtknexrad.open).parameters],
+                         ["path", "quality", "site", "position", "moments", "level", "rows"])
+        path = SyntheticFiles.files()[0]
+        with self.assertRaises(TypeError) as caught:
+            vtknexrad.open(path, moments="REF")
+        self.assertEqual(str(caught.exception),
+                         f"{path}: a radar file has no parameter moments; it has quality, site, position")
+        self.assertEqual(vtknexrad.open(path, site="KXXX", position=(1.0, 2.0, 3.0)).position, (1.0, 2.0, 3.0))
 
 
 class Updates(unittest.TestCase):

@@ -6,7 +6,9 @@ import importlib.util
 import os
 import subprocess
 import sys
+import types
 import unittest
+from unittest import mock
 
 import numpy
 import vtknexrad
@@ -18,6 +20,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 import SyntheticFiles
 
 HAS_XARRAY = importlib.util.find_spec("xarray") is not None
+HAS_NETCDF4 = importlib.util.find_spec("netCDF4") is not None
 DIMS = (24, 20, 12)
 
 
@@ -26,6 +29,11 @@ def series():
     """Volumes that do not change; merged once."""
     merged = vtknexrad.merge(SyntheticFiles.files(), dims=DIMS, moments="REF,VEL", ancillary=True)
     return [merged[0], merged[1]]
+
+
+def two_ranges():
+    """A sweep whose reflectivity has gates of a kilometre, and velocity gates of 250 m."""
+    return vtknexrad.open(SyntheticFiles.files()[0])[10]
 
 
 def volume_of(time, sites, nearest):
@@ -112,17 +120,35 @@ class Variables(unittest.TestCase):
             dataset.volume_variables([])
 
     def test_sweeps(self):
-        sweep = vtknexrad.open(SyntheticFiles.files()[0])[10]
+        sweep = two_ranges()
         self.assertEqual(sweep.moments, ("REF", "VEL", "SW"))  # of two gate geometries
         variables, coordinates, attributes = dataset.sweep_variables(sweep, True)
+        order = numpy.argsort(sweep.azimuths)
+        self.assertGreater(order[0], 0)  # the sweep begins elsewhere
         self.assertEqual(variables["REF"][0], ("azimuth", "range"))
         self.assertEqual(variables["VEL"][0], ("azimuth", "range_VEL"))
         self.assertEqual(variables["SW_state"][0], ("azimuth", "range_VEL"))
         for name in sweep:
-            numpy.testing.assert_array_equal(variables[name][1], numpy.asarray(sweep[name]))
+            numpy.testing.assert_array_equal(variables[name][1], numpy.asarray(sweep[name])[order])
             numpy.testing.assert_array_equal(coordinates[variables[name][0][1]][1], sweep[name].ranges)
-        self.assertEqual(coordinates["latitude"][1].shape, sweep["REF"].shape)
+        for name, values in (("azimuth", sweep.azimuths), ("elevation", sweep.elevations), ("time", sweep.times)):
+            numpy.testing.assert_array_equal(coordinates[name][1], values[order])
+        numpy.testing.assert_array_equal(coordinates["latitude"][1], sweep.places()[order, :, 1])
+        x, y, z = (coordinates[name][1] for name in "xyz")
+        numpy.testing.assert_allclose(z, sweep.places()[order, :, 2], atol=0.01)
+        turned = numpy.degrees(numpy.arctan2(x[:, 100], y[:, 100])) % 360.0
+        numpy.testing.assert_allclose(turned, sweep.azimuths[order], atol=1e-4)
+        self.assertEqual(coordinates["projection"][2]["latitude_of_projection_origin"], sweep.volume.position[0])
         self.assertEqual((attributes["instrument_name"], attributes["vcp"]), ("KLSX", 11))
+
+    def test_rays_at_one_azimuth(self):
+        azimuths = numpy.array([359.0, 1.0, 1.0, 1.0, 0.5], numpy.float32)
+        rays = types.SimpleNamespace(azimuths=azimuths, elevations=azimuths, times=numpy.arange(5))
+        order, coordinates = dataset.ray_coordinates(rays)
+        self.assertEqual(order.tolist(), [4, 1, 2, 3, 0])
+        sorted_azimuths = coordinates["azimuth"][1]
+        self.assertTrue((numpy.diff(sorted_azimuths) > 0.0).all())
+        numpy.testing.assert_allclose(sorted_azimuths, azimuths[order], atol=1e-6)
 
 
 class Xarray(unittest.TestCase):
@@ -148,9 +174,87 @@ class Xarray(unittest.TestCase):
     def test_sweeps(self):
         data = vtknexrad.open(SyntheticFiles.files()[0])[0].to_xarray()
         self.assertEqual(data.REF.dims, ("azimuth", "range"))
-        self.assertEqual(set(data.coords), {"azimuth", "range", "elevation", "time"})
+        self.assertEqual(set(data.coords), {"azimuth", "range", "elevation", "time", "x", "y", "z", "projection"})
+        west = data.sel(azimuth=270.0, method="nearest")
+        self.assertLess(abs(float(west.azimuth) - 270.0), 1.0)
+        self.assertLess(float(west.x[100]), 0.0)
 
-    @unittest.skipUnless(HAS_XARRAY and importlib.util.find_spec("netCDF4"), "xarray or netCDF4 is not installed")
+    @unittest.skipUnless(HAS_XARRAY and importlib.util.find_spec("dask"), "xarray or dask is not installed")
+    def test_chunks_are_merged_when_they_are_asked_for(self):
+        merged = vtknexrad.merge(SyntheticFiles.files(), dims=DIMS, moments="REF,VEL", ancillary=True)
+        whole = merged.to_xarray()
+        source = merged._source  # pylint: disable=protected-access
+        with mock.patch.object(source, "at", wraps=source.at) as made:
+            data = merged.to_xarray(chunks={"time": 1})
+            self.assertEqual(made.call_count, 1)  # for names and attributes
+            numpy.testing.assert_array_equal(data.REF[2].values, whole.REF[2].values)
+            self.assertEqual(made.call_count, 2)
+        self.assertEqual(data.REF.chunks[0], (1, 1, 1))
+        self.assertTrue(data.load().identical(whole))
+        self.assertEqual(merged.to_xarray(chunks={"x": 10}).REF.chunks[3], (10, 10, 4))
+
+    @unittest.skipUnless(HAS_XARRAY, "xarray is not installed")
+    def test_a_tree(self):
+        import xarray
+        radar = two_ranges().volume
+        tree = mock.Mock()
+        with mock.patch.object(xarray, "DataTree", tree, create=True):
+            radar.to_xarray(states=True)
+        (groups,), options = tree.from_dict.call_args
+        self.assertEqual(options, {"name": "root"})
+        self.assertEqual(list(groups), ["/", *(f"sweep_{index}" for index in range(len(radar)))])
+        root = groups["/"]
+        self.assertEqual((root.attrs["instrument_name"], root.attrs["simulated"], root.attrs["scan_name"]),
+                         ("KLSX", "true", "VCP-11"))
+        self.assertEqual((float(root.latitude), float(root.longitude), float(root.altitude)), radar.position)
+        self.assertEqual(root.sweep_group_name.values.tolist(), list(groups)[1:])
+        self.assertEqual(str(root.time_coverage_start.values), "2006-03-12T18:01:45Z")
+        sweep, data = two_ranges(), groups["sweep_10"]
+        self.assertEqual(set(data.coords), {"azimuth", "range", "elevation", "time", "latitude", "longitude", "altitude"})
+        self.assertEqual(int(data.sweep_number), 10)
+        order = numpy.argsort(sweep.azimuths)
+        for name, theirs in (("REF", "DBZH"), ("VEL", "VRADH"), ("SW", "WRADH")):
+            field = sweep[name]
+            reach = data.range.values[(data.range > field.ranges[0] - 1.0) & (data.range < field.ranges[-1] + 1.0)]
+            for gate in reach[::50]:
+                nearest = int(numpy.abs(field.ranges - gate).argmin())
+                at = data.sel(range=gate)
+                numpy.testing.assert_array_equal(at[theirs].values, field.filled()[order, nearest])
+                numpy.testing.assert_array_equal(at[theirs + "_state"].values, field.states[order, nearest])
+            self.assertEqual(data[theirs].count(), numpy.isfinite(data[theirs].values).sum())
+            self.assertTrue((numpy.isnan(data[theirs].values) == (data[theirs + "_state"].values != State.ECHO)).all())
+        self.assertEqual(float(data.range[1] - data.range[0]), 250.0)
+
+    @unittest.skipUnless(HAS_XARRAY, "xarray is not installed")
+    def test_without_trees_there_is_one_line(self):
+        import xarray
+        if hasattr(xarray, "DataTree") or importlib.util.find_spec("datatree"):
+            self.assertEqual(type(two_ranges().volume.to_xarray()).__name__, "DataTree")
+        else:
+            with self.assertRaisesRegex(ImportError, "^a tree needs xarray 2024.10 or later"):
+                two_ranges().volume.to_xarray()
+
+    @unittest.skipUnless(HAS_XARRAY and HAS_NETCDF4, "xarray or netCDF4 is not installed")
+    def test_a_file_of_a_radar(self):
+        import netCDF4
+        import xarray
+        sweep, path = two_ranges(), os.path.join(SyntheticFiles.folder(), "radar.nc")
+        sweep.volume.write(path)
+        with netCDF4.Dataset(path) as file:
+            self.assertEqual((file.Conventions, file.version), ("Cf/Radial", "2.1"))
+            self.assertEqual(len(file.groups), len(sweep.volume))
+            self.assertEqual(file["sweep_10/DBZH"].dimensions, ("time", "range"))
+            self.assertEqual(file["sweep_10/VRADH"].units, "m s-1")
+        with xarray.open_dataset(path, group="sweep_10") as again:
+            numpy.testing.assert_array_equal(again.time.values, numpy.sort(sweep.times))
+            numpy.testing.assert_array_equal(again.azimuth.values, sweep.azimuths)
+            at = numpy.searchsorted(again.range.values, sweep["VEL"].ranges)
+            numpy.testing.assert_array_equal(again.VRADH.values[:, at], sweep["VEL"].filled())
+        with self.assertRaisesRegex(vtknexrad.Error, "^/nowhere/radar.nc: cannot be written"):
+            sweep.volume.write("/nowhere/radar.nc")
+        self.assertFalse(os.path.exists(path + ".unfinished"))
+
+    @unittest.skipUnless(HAS_XARRAY and HAS_NETCDF4, "xarray or netCDF4 is not installed")
     def test_a_file_of_it(self):
         import xarray
         path = os.path.join(SyntheticFiles.folder(), "volumes.nc")

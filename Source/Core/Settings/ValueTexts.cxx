@@ -79,7 +79,8 @@ template <std::size_t Count>
 std::array<int, Count> ParseCounts(
   const std::string& text, int least, int most, const std::string& refusal)
 {
-  const std::vector<std::string> parts = SplitAt(text, 'x');
+  const bool commas = text.find(',') != std::string::npos;
+  const std::vector<std::string> parts = SplitAt(text, commas ? ',' : 'x');
   std::array<int, Count> counts{};
   bool right = parts.size() == Count;
   for (std::size_t i = 0; right && i < Count; ++i)

@@ -47,4 +47,10 @@ from .radar import RadarVolume as RadarVolume, Sweep as Sweep
 from .series import VolumeSeries as VolumeSeries
 from .volume import Volume as Volume
 
-__all__ = [name for name in globals() if not name.startswith("_") and name != "open"]
+__all__ = [_name for _name, _thing in globals().items()
+           if not _name.startswith("_") and _name != "open" and type(_thing).__name__ != "module"]
+
+
+def __dir__() -> list[str]:
+    """The names of the package without its modules: what completion offers."""
+    return [*__all__, "open", "__version__"]

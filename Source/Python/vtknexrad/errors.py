@@ -6,11 +6,14 @@ from __future__ import annotations
 import contextlib
 import re
 import sys
+import time
 import warnings
 from types import TracebackType
 from typing import Any, Iterator
 
 from vtkmodules.vtkCommonCore import vtkCommand
+
+from .vtkNexradIO import vtkNexradBackgroundUpdate
 
 
 class Error(RuntimeError):
@@ -32,32 +35,24 @@ class DamageWarning(UserWarning):
 
 
 class Messages:
-    """Gathers the errors, and on demand the warnings, that an algorithm reports while the block runs.
+    """Gathers the errors that an algorithm reports while the block runs. Warnings go where VTK's go."""
 
-    Warnings that are not gathered go where VTK's warnings go.
-    """
-
-    def __init__(self, algorithm: Any, keep_warnings: bool = False) -> None:
+    def __init__(self, algorithm: Any) -> None:
         self.errors: list[str] = []
-        self.warnings: list[str] = []
         self._observed = [algorithm]
         if hasattr(algorithm, "GetExecutive"):
             self._observed.append(algorithm.GetExecutive())
-        self._lists = {vtkCommand.ErrorEvent: self.errors}
-        if keep_warnings:
-            self._lists[vtkCommand.WarningEvent] = self.warnings
         self._tags: list[tuple[Any, int]] = []
 
     def __enter__(self) -> Messages:
-        for event, lines in self._lists.items():
-            def keep(_caller: Any, _event: str, text: str, lines: list[str] = lines) -> None:
-                # "vtkClass (0x55d0): what is wrong", below the place in the source.
-                line = text.strip().splitlines()[-1]
-                lines.append(re.sub(r"^(\w+) \(0x[0-9a-f]+\): ", r"\1: ", line))
+        def keep(_caller: Any, _event: str, text: str) -> None:
+            # "vtkClass (0x55d0): what is wrong", below the place in the source.
+            line = text.strip().splitlines()[-1]
+            self.errors.append(re.sub(r"^(\w+) \(0x[0-9a-f]+\): ", r"\1: ", line))
 
-            keep.CallDataType = "string0"  # type: ignore[attr-defined]
-            for one in self._observed:
-                self._tags.append((one, one.AddObserver(event, keep)))
+        keep.CallDataType = "string0"  # type: ignore[attr-defined]
+        for one in self._observed:
+            self._tags.append((one, one.AddObserver(vtkCommand.ErrorEvent, keep)))
         return self
 
     def __exit__(self, kind: type[BaseException] | None, value: BaseException | None,
@@ -88,17 +83,35 @@ def errors_of(vtk_object: Any) -> Iterator[None]:
         raise Error(without_class(messages.errors[0]))
 
 
-def run(algorithm: Any, work: Any) -> None:
-    """Calls `work`. Raises Error with the first line that the algorithm reports; warns of damage."""
-    with Messages(algorithm, keep_warnings=True) as messages:
-        work()
-    if messages.errors:
-        raise Error(without_class(messages.errors[0]))
-    if messages.warnings:
-        more = len(messages.warnings) - 1
+def run(algorithm: Any, request: str, *values: Any) -> None:
+    """Updates an algorithm while other threads go on.
+
+    request: "Information", "Update", "TimeStep" with the time in seconds since 1970, or "Extent" with the extent.
+
+    Raises Error with the first line that the algorithm reports; warns of damage.
+    """
+    background = vtkNexradBackgroundUpdate()
+    getattr(background, f"Start{request}")(algorithm, *values)
+    pause = 2e-5
+    try:
+        while not background.IsDone():
+            time.sleep(pause)  # without the interpreter's lock
+            pause = min(1.5 * pause, 2e-3)
+    except BaseException:
+        background.Stop()
+        raise
+    errors, lines = texts_of(background.GetErrors()), texts_of(background.GetWarnings())
+    if errors:
+        raise Error(errors[0])
+    if lines:
+        more = len(lines) - 1
         rest = f" (and {more} more: see the attribute damage)" if more else ""
-        warnings.warn(without_class(messages.warnings[0]) + rest, DamageWarning,
-                      stacklevel=_outside())
+        warnings.warn(lines[0] + rest, DamageWarning, stacklevel=_outside())
+
+
+def texts_of(strings: Any) -> tuple[str, ...]:
+    """The texts of a vtkStringArray; none for None."""
+    return tuple(strings.GetValue(index) for index in range(strings.GetNumberOfValues())) if strings else ()
 
 
 def _outside() -> int:

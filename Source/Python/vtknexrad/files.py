@@ -8,7 +8,7 @@ from typing import Any, Optional, Union
 
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
-from .errors import OutOfRange, run
+from .errors import OutOfRange, run, texts_of
 from .vtkNexradIO import vtkNexradLevel2Reader, vtkNexradVolumeReader, vtkNexradVolumeWriter
 
 Path = Union[str, "os.PathLike[str]"]
@@ -38,7 +38,7 @@ class Output:
     def __init__(self, algorithm: Any) -> None:
         """Raises Error when the algorithm reports one."""
         self.algorithm = algorithm
-        run(algorithm, algorithm.UpdateInformation)
+        run(algorithm, "Information")
 
     @property
     def seconds(self) -> list[float]:
@@ -55,9 +55,9 @@ class Output:
         """The image at a time; None: of the first time step. It is that of the algorithm, which the next call
         fills anew. Raises Error as the algorithm does."""
         if seconds is None:
-            run(self.algorithm, self.algorithm.Update)
+            run(self.algorithm, "Update")
         else:
-            run(self.algorithm, lambda: self.algorithm.UpdateTimeStep(seconds))
+            run(self.algorithm, "TimeStep", seconds)
         return self.algorithm.GetOutputDataObject(0)
 
     @property
@@ -65,11 +65,6 @@ class Output:
         """What was wrong in the files that were decoded so far."""
         lines = self.algorithm.GetDamage() if hasattr(self.algorithm, "GetDamage") else None
         return texts_of(lines)
-
-
-def texts_of(strings: Any) -> tuple[str, ...]:
-    """The texts of a vtkStringArray; none for None."""
-    return tuple(strings.GetValue(index) for index in range(strings.GetNumberOfValues())) if strings else ()
 
 
 def volume_reader(path: Path, moments: Optional[str] = None) -> Any:
@@ -109,7 +104,7 @@ def part_of_volume(path: Path, moments: Optional[str], level: int, rows: Optiona
     first, end = rows
     if not 0 <= first < end <= north + 1:
         raise OutOfRange(f"{os.fspath(path)}: no rows {first} to {end}; there are {north + 1}, counted from 0")
-    run(reader, lambda: reader.UpdateExtent((west, east, first, end - 1, bottom, top)))
+    run(reader, "Extent", (west, east, first, end - 1, bottom, top))
     return reader.GetOutputDataObject(0)
 
 

@@ -55,7 +55,7 @@ def merge(paths: Union[Path, Iterable[Path]], *,
 
     The files are looked at now, the volumes are merged when they are asked for. The parameters are the
     options of `nexrad3d grid` (user guide, chapter 3), and have their defaults. Lengths are in metres,
-    durations in seconds (or timedelta), times as in `Time` (UTC).
+    durations in seconds, as timedelta or as "5min", times as in `Time` (UTC).
 
     paths: Level II files, folders and tar archives of them (with those within), and folders of real-time chunks.
     moments: names, as "REF,VEL" or ["REF", "VEL"]; the first is the volumes' own.

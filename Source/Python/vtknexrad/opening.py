@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import glob
 import os
-from typing import Any, Union
+from typing import Any, Optional, Union
 
 from . import files
 from .errors import Error
@@ -16,7 +16,9 @@ from .volume import Volume
 from .vtkNexradIO import vtkNexradLevel2Reader, vtkNexradSeriesReader, vtkNexradVolumeReader
 
 
-def open(path: Path, **options: Any) -> Union[RadarVolume, Volume, VolumeSeries]:
+def open(path: Path, *, quality: Optional[str] = None, site: Optional[str] = None,
+         position: Optional[tuple[float, float, float]] = None, moments: Optional[str] = None,
+         level: Optional[int] = None, rows: Optional[tuple[int, int]] = None) -> Union[RadarVolume, Volume, VolumeSeries]:
     """Opens a file or folder by what it contains.
 
     - A Level II file, also in a tar archive ("day.tar/KLSX20060312_180145"), or a folder of real-time chunks: a
@@ -24,11 +26,13 @@ def open(path: Path, **options: Any) -> Union[RadarVolume, Volume, VolumeSeries]
     - A merged volume (.nxv): a Volume.
     - An index (.nxv.series), or a folder with one or with .nxv files: a VolumeSeries.
 
-    options: those of the class: `quality`, `site` and `position` of RadarVolume, `moments` of the others, `level`
-    and `rows` of Volume.
+    quality, site, position: as RadarVolume has them, of radar files alone.
+    moments: names of moments to read, as "VEL,REF", of volumes and series of them.
+    level, rows: as Volume.open has them, of single volumes.
 
-    Raises FileNotFoundError for a path that does not exist, and Error, in one line, for a file of another
-    kind, one that cannot be read, and a folder or tar archive of radar files, which `merge` takes.
+    Raises FileNotFoundError for a path that does not exist, TypeError for a parameter that what the path holds
+    does not have, and Error, in one line, for a file of another kind, one that cannot be read, and a folder or
+    tar archive of radar files, which `merge` takes.
 
     >>> vtknexrad.open("KLSX20060312_180145").radar
     'KLSX'
@@ -41,23 +45,37 @@ def open(path: Path, **options: Any) -> Union[RadarVolume, Volume, VolumeSeries]
     Traceback (most recent call last):
     FileNotFoundError: nowhere: no such file or folder
     """
+    given = {"quality": quality, "site": site, "position": position, "moments": moments, "level": level, "rows": rows}
+    options = {name: value for name, value in given.items() if value is not None}
     text = files.existing(path)
-    if os.path.isdir(text):
-        return _open_folder(text, options)
-    if text.endswith(".nxv.series"):
-        return VolumeSeries.open(text, **options)
-    if text.endswith(".nxv") or vtkNexradVolumeReader.CanReadFile(text):
-        return Volume.open(text, **options)
-    if not vtkNexradLevel2Reader.CanReadFile(text) and vtkNexradSeriesReader.CanReadFile(text):
-        raise _several(text, "a tar archive")
-    return RadarVolume(text, **options)
+    opens, what, parameters = _kind(text)
+    for name in options:
+        if name not in parameters:
+            raise TypeError(f"{text}: {what} has no parameter {name}; it has {', '.join(parameters)}")
+    return opens(text, **options)  # type: ignore[no-any-return]
 
 
-def _open_folder(folder: str, options: dict[str, Any]) -> Union[RadarVolume, VolumeSeries]:
+def _kind(path: str) -> tuple[Any, str, tuple[str, ...]]:
+    """What opens a path, what the path holds, and the parameters of this."""
+    series = VolumeSeries.open, "a series of volumes", ("moments",)
+    radar = RadarVolume, "a radar file", ("quality", "site", "position")
+    if os.path.isdir(path):
+        return series if _holds_volumes(path) else radar
+    if path.endswith(".nxv.series"):
+        return series
+    if path.endswith(".nxv") or vtkNexradVolumeReader.CanReadFile(path):
+        return Volume.open, "a volume", ("moments", "level", "rows")
+    if not vtkNexradLevel2Reader.CanReadFile(path) and vtkNexradSeriesReader.CanReadFile(path):
+        raise _several(path, "a tar archive")
+    return radar
+
+
+def _holds_volumes(folder: str) -> bool:
+    """Whether a folder holds volumes, and not the chunks of a radar. Raises Error where it holds neither."""
     if glob.glob(os.path.join(glob.escape(folder), "*.nxv*")):
-        return VolumeSeries.open(folder, **options)
+        return True
     if vtkNexradLevel2Reader.CanReadFile(folder):
-        return RadarVolume(folder, **options)
+        return False
     if vtkNexradSeriesReader.CanReadFile(folder):
         raise _several(folder, "a folder")
     raise Error(f"{folder}: no radar file and no merged volume in the folder")

@@ -13,7 +13,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSetCollection
 
 from . import data, files
-from .errors import OutOfRange, run
+from .errors import OutOfRange, run, texts_of
 from .fields import Field, State, masked, missing, moment_names
 from .files import Path, one_of
 from .merging import QUALITIES
@@ -66,7 +66,7 @@ class RadarVolume(Sequence["Sweep"]):
     def radar(self) -> str:
         """Name of the radar, as "KLSX"; empty when the file does not say it."""
         site = self.collection.GetFieldData().GetAbstractArray("Site")
-        return "".join(files.texts_of(site)[:1])
+        return "".join(texts_of(site)[:1])
 
     @functools.cached_property
     def position(self) -> Optional[tuple[float, float, float]]:
@@ -99,7 +99,7 @@ class RadarVolume(Sequence["Sweep"]):
     @property
     def damage(self) -> tuple[str, ...]:
         """What was wrong in the file, one line each."""
-        return files.texts_of(self._reader.GetDamage())
+        return texts_of(self._reader.GetDamage())
 
     @functools.cached_property
     def moments(self) -> tuple[str, ...]:
@@ -147,6 +147,29 @@ class RadarVolume(Sequence["Sweep"]):
 
     _geographic: Any = None
 
+    def to_xarray(self, states: bool = False) -> Any:
+        """An xarray.DataTree in the groups, names and attributes of WMO FM301 and CfRadial 2.1, as xradar has them.
+
+        The root has position and times; the group sweep_N has the sweep of the index N with the dimensions
+        (azimuth, range), its rays in the order of their azimuths, and DBZH, VRADH, WRADH, ZDR, PHIDP, RHOHV and
+        CCORH for REF, VEL, SW, ZDR, PHI, RHO and CFP. Where gates of moments differ, all stand on the finest
+        ones; the others are repeated over these.
+
+        states: adds NAME_state (State), which says why a gate has no value.
+
+        Raises ImportError when xarray is not installed, or has no DataTree (before 2024.10).
+        """
+        from .cfradial import tree_of_radar
+        return tree_of_radar(self, states)
+
+    def write(self, path: Path) -> None:
+        """Writes a CfRadial 2 file (NetCDF-4) with the groups of to_xarray, rays in the order of their times.
+
+        Raises Error when it cannot be written, and ImportError when xarray or netCDF4 is not installed.
+        """
+        from .cfradial import write_radar
+        write_radar(self, path)
+
     def __repr__(self) -> str:
         pattern = "" if self.vcp is None else f", VCP {self.vcp}"
         return (f"<RadarVolume {self.radar or 'of an unknown radar'}{pattern}, {text_of(self.time)}, "
@@ -157,7 +180,7 @@ class RadarVolume(Sequence["Sweep"]):
         return radar_html(self)
 
     def _read(self) -> Any:
-        run(self._reader, self._reader.Update)
+        run(self._reader, "Update")
         sweeps = vtkPartitionedDataSetCollection()
         sweeps.ShallowCopy(self._reader.GetOutputDataObject(0))
         return sweeps
@@ -170,7 +193,7 @@ class RadarVolume(Sequence["Sweep"]):
 def _with_classes(sweeps: Any) -> Any:
     classes = vtkNexradEchoClasses()
     classes.SetInputDataObject(0, sweeps)
-    run(classes, classes.Update)
+    run(classes, "Update")
     return classes.GetOutputDataObject(0)
 
 
@@ -279,13 +302,15 @@ class Sweep:
         return self._points(data.sweep(self.volume.geographic(), self.index, moment or self.moments[0]))
 
     def to_xarray(self, georeference: bool = False) -> Any:
-        """An xarray.Dataset with the dimensions (azimuth, range).
+        """An xarray.Dataset with the dimensions (azimuth, range), its rays in the order of their azimuths.
 
-        Coordinates: azimuth, range, and of each ray elevation and time. Moments NAME whose gates differ
-        from those of the first have a dimension of their own, range_NAME. Each is float32 with NaN where
-        there is no value, and has NAME_state (State) beside it. Every variable has its unit.
+        Coordinates: azimuth, range, of each ray elevation and time, and of each gate of the first moment x, y
+        and z, in metres east and north of the radar and above mean sea level (above the antenna where its
+        position is unknown). Moments NAME whose gates differ from those of the first have a dimension of
+        their own, range_NAME. Each is float32 with NaN where there is no value, and has NAME_state (State)
+        beside it. Every variable has its unit.
 
-        georeference: adds latitude, longitude and altitude of each gate, of the first moment's gates.
+        georeference: adds latitude and longitude of each gate of the first moment.
 
         Raises ImportError when xarray is not installed.
         """

@@ -15,9 +15,9 @@ from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 from . import files
-from .errors import Error, Messages, OutOfRange, without_class
+from .errors import Error, Messages, OutOfRange, texts_of, without_class
 from .files import Path
-from .times import Time, datetime64s_of, seconds_of, text_of
+from .times import Time, datetime64_of, datetime64s_of, seconds_of, text_of
 from .volume import Volume
 
 
@@ -71,9 +71,9 @@ class VolumeSeries(Sequence[Volume]):
     @property
     def sites(self) -> tuple[str, ...]:
         """Names of the radars: of a merge, those of all files; of volume files, those of the first."""
-        known = getattr(getattr(self._source, "algorithm", None), "GetSites", None)
+        known = self._of_merge("GetSites")
         if known:
-            return files.texts_of(known())
+            return texts_of(known())
         return self[0].sites if len(self) else ()
 
     @property
@@ -84,16 +84,30 @@ class VolumeSeries(Sequence[Volume]):
     @property
     def radar_comparison(self) -> tuple[str, ...]:
         """Of a merge of several radars: what the comparison of their reflectivity finds so far."""
-        compare = getattr(getattr(self._source, "algorithm", None), "GetRadarComparison", None)
-        return files.texts_of(compare()) if compare else ()
+        compare = self._of_merge("GetRadarComparison")
+        return texts_of(compare()) if compare else ()
+
+    def _of_merge(self, method: str) -> Any:
+        """A method of the reader that merges; None where volumes are read from files."""
+        return getattr(getattr(self._source, "algorithm", None), method, None)
 
     def at(self, time: Time) -> Volume:
         """The volume at a time. Of a merge, one that is merged for this time, whether it is a time step
-        or not; of files, the latest at or before the time (before the first, the first).
+        or not; of files, the latest at or before the time.
 
-        Raises Error as the readers do, and ValueError for text that is no time.
+        Raises OutOfRange, which is an IndexError, for a time at which no radar scanned anything: of files, one
+        that is not from the first to the last; ValueError for text that is no time; Error as the readers do.
         """
-        return Volume(self._source.at(seconds_of(time)))
+        seconds = seconds_of(time)
+        if not self._seconds:
+            raise OutOfRange("there are no volumes")
+        merges = self._of_merge("GetSites") is not None
+        if merges or self._seconds[0] <= seconds <= self._seconds[-1]:
+            volume = Volume(self._source.at(seconds))
+            if volume.sites or not merges:
+                return volume
+        asked, first, last = (text_of(datetime64_of(one)) for one in (seconds, self._seconds[0], self._seconds[-1]))
+        raise OutOfRange(f"no radar scanned anything at {asked}; the volumes are of {first} to {last}")
 
     def __len__(self) -> int:
         return len(self._seconds)
@@ -132,14 +146,19 @@ class VolumeSeries(Sequence[Volume]):
             raise Error(without_class(messages.errors[0]))
         return os.path.join(folder, name)
 
-    def to_xarray(self) -> Any:
-        """An xarray.Dataset of all volumes, as Volume.to_xarray has it. All are in memory at once: take
-        a slice of a long series. The numbers in NAME_site count in the attribute `sites`.
+    def to_xarray(self, chunks: Any = None) -> Any:
+        """An xarray.Dataset of all volumes, as Volume.to_xarray has it. The numbers in NAME_site count in the
+        attribute `sites`.
 
-        Raises ImportError when xarray is not installed, and Error for volumes of several grids.
+        chunks: None reads or merges all volumes now, into memory. {} or {"time": 1} gives arrays of dask: each
+            volume is read or merged when its values are asked for, the first one now as well. Others divide
+            the volumes further, as Dataset.chunk does. dask's threads can compute it, its processes cannot.
+
+        Raises ImportError when xarray, or dask for chunks, is not installed, and Error for volumes of several
+        grids, of which chunks tell when they are read.
         """
-        from .dataset import dataset_of_volumes
-        return dataset_of_volumes(self)
+        from .dataset import dataset_of_volumes, lazy_dataset
+        return dataset_of_volumes(self) if chunks is None else lazy_dataset(self, chunks)
 
     def __repr__(self) -> str:
         if not self._seconds:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import datetime
+import re
 from typing import Iterable, Union
 
 import numpy
@@ -13,8 +14,10 @@ from numpy.typing import NDArray
 #: where it has no zone of its own.
 Time = Union[float, datetime.datetime, numpy.datetime64, str]
 
-#: A duration: seconds, a timedelta or a numpy.timedelta64.
-Duration = Union[float, datetime.timedelta, "numpy.timedelta64"]
+#: A duration: seconds, a timedelta, a numpy.timedelta64, or text as the program takes it: "5min".
+Duration = Union[float, datetime.timedelta, "numpy.timedelta64", str]
+
+SECONDS = {"s": 1.0, "min": 60.0, "h": 3600.0, "d": 86400.0}
 
 
 def seconds_of(time: Time) -> float:
@@ -44,9 +47,16 @@ def seconds_of(time: Time) -> float:
 def duration_of(duration: Duration) -> float:
     """Seconds.
 
-    >>> duration_of(datetime.timedelta(minutes=5))
-    300.0
+    >>> duration_of(datetime.timedelta(minutes=5)), duration_of("5min")
+    (300.0, 300.0)
+
+    Raises ValueError for text that is no duration.
     """
+    if isinstance(duration, str):
+        match = re.fullmatch(r"(\d+\.?\d*|\.\d+)\s*([a-z]+)", duration.strip())
+        if not match or match[2] not in SECONDS:
+            raise ValueError(f"{duration!r} is no duration; write a number and {', '.join(SECONDS)}, as in '5min'")
+        return float(match[1]) * SECONDS[match[2]]
     if isinstance(duration, datetime.timedelta):
         return duration.total_seconds()
     if isinstance(duration, numpy.timedelta64):

@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from . import data, files
-from .errors import Error, run
+from .errors import Error, errors_of, texts_of
 from .files import Path
 from .fields import ANCILLARY, Field, State, masked, missing, moment_names
 from .times import datetime64_of, text_of
@@ -232,7 +232,8 @@ class Volume:
         """
         writer = files.volume_writer(path, code)
         writer.SetInputData(self.image)
-        run(writer, writer.Write)
+        with errors_of(writer):
+            writer.Write()
 
     def to_xarray(self) -> Any:
         """An xarray.Dataset with the dimensions (time, z, y, x), one time; CF conventions.
@@ -283,4 +284,4 @@ class Volume:
         return [values.GetComponent(0, component) for component in range(count)]
 
     def _texts(self, name: str) -> tuple[str, ...]:
-        return files.texts_of(self.image.GetFieldData().GetAbstractArray(name))
+        return texts_of(self.image.GetFieldData().GetAbstractArray(name))

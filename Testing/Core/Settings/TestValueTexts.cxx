@@ -81,6 +81,7 @@ TEST(ValueTexts, OneUnitCountsForBothHeights)
 TEST(ValueTexts, Dimensions)
 {
   EXPECT_EQ(ParseDimensions("256x128x1"), (std::array<int, 3>{256, 128, 1}));
+  EXPECT_EQ(ParseDimensions("256,128,1"), (std::array<int, 3>{256, 128, 1}));
   for (const char* text : {"", "256", "256x256", "256x256x128x1", "0x256x128", "-1x2x3", "2x2x2.5",
          "256 x 256 x 128", "99999999999999999999x1x1", "axbxc", "2x2x"})
   {
