@@ -5,13 +5,16 @@ import datetime
 import filecmp
 import functools
 import glob
+import html
 import inspect
 import os
 import pathlib
+import re
 import subprocess
 import threading
 import time
 import unittest
+from unittest import mock
 from xml.etree import ElementTree
 
 import numpy
@@ -316,6 +319,41 @@ class Volumes(unittest.TestCase):
         image.SetDirectionMatrix(0, 1, 0, 1, 0, 0, 0, 0, 1)
         with self.assertRaisesRegex(vtknexrad.Error, "turned"):
             vtknexrad.Volume(image).latitude
+
+
+class Pages(unittest.TestCase):
+    @staticmethod
+    def page_of(path, *options):
+        page = path_of("page.html")
+        subprocess.run([os.environ["NEXRAD3D"], "web", path, "-o", page, "--quiet", *options], check=True)
+        return pathlib.Path(page).read_text(encoding="utf-8")
+
+    # Not assertEqual, which would print the pages.
+    def test_a_page_is_that_of_the_program(self):
+        volume, path = vtknexrad.open(exact())[1], path_of("shown.nxv")
+        volume.write(path)
+        expected = self.page_of(path, "--look-at", "38.7,-90.7", "--zoom", "2", "--parallel")
+        shown = volume.show(height=300, look_at=(38.7, -90.7), zoom=2, parallel=True)
+        self.assertTrue(shown.text == expected)
+        cell = shown._repr_html_()
+        self.assertIn("height:300px", cell)
+        self.assertTrue(html.unescape(re.search('srcdoc="([^"]*)"', cell)[1]) == expected)
+
+    def test_a_page_of_a_series_has_its_times(self):
+        series = vtknexrad.open(exact())
+        self.assertTrue(series.show().text == self.page_of(series.write(path_of("played"))))
+
+    def test_options_that_cannot_be(self):
+        with self.assertRaisesRegex(vtknexrad.Error, r"^nexrad3d web: .*--zoom.*$"):
+            vtknexrad.open(exact())[0].show(zoom=-1)
+
+    def test_pyvista_takes_the_image(self):
+        volume, pyvista = vtknexrad.open(exact())[0], mock.Mock()
+        with mock.patch.dict("sys.modules", pyvista=pyvista):
+            self.assertIs(volume.to_pyvista(), pyvista.wrap.return_value)
+        pyvista.wrap.assert_called_once_with(volume.image)
+        with mock.patch.dict("sys.modules", pyvista=None), self.assertRaisesRegex(ImportError, "^to_pyvista needs"):
+            volume.to_pyvista()
 
 
 class Parts(unittest.TestCase):

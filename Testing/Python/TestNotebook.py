@@ -59,9 +59,10 @@ class Notebook(unittest.TestCase):
             shown = [run("".join(cell["source"]), names) for cell in cells()]
         self.assertRegex(said.getvalue(), r"RANGE_FOLDED +\d+ gates\n(.*\n)*largest \d\d\.\d dBZ\n")
         pages = [value._repr_html_() for value in shown if type(value).__module__.startswith("vtknexrad")]
-        self.assertGreaterEqual(len(pages), 2)  # the radar file and the volume
+        self.assertEqual(len(pages), 3)  # the radar file, the volume, and the volume that turns
         self.assertIn("<table>", pages[0])
         self.assertIn("data:image/png;base64,", pages[1])
+        self.assertRegex(pages[2], "^<iframe srcdoc=")
         self.assertGreaterEqual(len(matplotlib.pyplot.get_fignums()), 3)
 
     def test_it_is_kept_without_outputs(self):

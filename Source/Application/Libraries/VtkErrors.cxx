@@ -93,7 +93,7 @@ void ThrowVtkErrors()
   }
 }
 
-int FailOnVtkErrors(const CommandAction& work)
+int FailOnVtkErrors(const std::function<int()>& work)
 {
   TakeVtkErrors();
   const int status = work();
@@ -103,7 +103,7 @@ int FailOnVtkErrors(const CommandAction& work)
   {
     PrintMessage("nexrad3d: " + error);
   }
-  return window != nullptr && window->HasFailed() ? int(Failed) : status;
+  return window != nullptr && window->HasFailed() ? 1 : status;
 }
 
 } // namespace nexrad::application

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Commands/CommandLine.h"
-
+#include <functional>
 #include <string>
 
 namespace nexrad::application
@@ -20,8 +19,8 @@ std::string NextVtkError();
 /// was made is written.
 void ThrowVtkErrors();
 
-/// Takes VTK's errors and does a command's work, which fails where any came. Prints one that nobody
-/// has asked for. What the work throws passes.
-int FailOnVtkErrors(const CommandAction& work);
+/// Takes VTK's errors, does a command's work and returns its exit status: 1 where any error came.
+/// Prints one that nobody has asked for. What the work throws passes.
+int FailOnVtkErrors(const std::function<int()>& work);
 
 } // namespace nexrad::application

@@ -17,6 +17,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from . import files
 from .errors import Error, Messages, OutOfRange, texts_of, without_class
 from .files import Path
+from .pages import Page, make_page
 from .times import Time, datetime64_of, datetime64s_of, seconds_of, text_of
 from .volume import Volume
 
@@ -145,6 +146,11 @@ class VolumeSeries(Sequence[Volume]):
         if messages.errors:
             raise Error(without_class(messages.errors[0]))
         return os.path.join(folder, name)
+
+    def show(self, height: int = 480, **options: Any) -> Page:
+        """A page that plays the volumes, as Volume.show has one. It holds all of them: take a slice of a long
+        series."""
+        return make_page(lambda path: self.write(os.path.dirname(path)), height, options)
 
     def to_xarray(self, chunks: Any = None) -> Any:
         """An xarray.Dataset of all volumes, as Volume.to_xarray has it. The numbers in NAME_site count in the

@@ -16,6 +16,7 @@ from . import data, files
 from .errors import Error, errors_of, texts_of
 from .files import Path
 from .fields import ANCILLARY, Field, State, masked, missing, moment_names
+from .pages import Page, make_page
 from .times import datetime64_of, text_of
 from .vtkNexradIO import vtkNexradGeographicCoordinates, vtkNexradMoments
 
@@ -246,6 +247,27 @@ class Volume:
         """
         from .dataset import dataset_of_volumes
         return dataset_of_volumes([self])
+
+    def show(self, height: int = 480, **options: Any) -> Page:
+        """A page in which the volume turns, for the last line of a cell in a notebook; it needs no server.
+
+        height: of the cell, in pixels. options: those of `nexrad3d web` (user guide, chapter 4), with _ for -, as
+            zoom=2, look_at=(35.3, -97.3), preset="storm cores" or theme="dark".
+
+        Raises Error for an option that cannot be, and when the program nexrad3d is not installed.
+        """
+        return make_page(self.write, height, options)
+
+    def to_pyvista(self) -> Any:
+        """The volume as a pyvista.ImageData (pyvista.UniformGrid before 0.40), which shares its memory.
+
+        Raises ImportError when pyvista is not installed.
+        """
+        try:
+            import pyvista
+        except ImportError:
+            raise ImportError("to_pyvista needs the package pyvista, which is not installed") from None
+        return pyvista.wrap(self.image)
 
     def plot(self, moment: Optional[str] = None, height: Optional[float] = None, ax: Any = None) -> Any:
         """Draws a map with matplotlib and returns its axes: the composite, or the level nearest to
