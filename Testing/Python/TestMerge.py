@@ -10,6 +10,7 @@ import inspect
 import os
 import pathlib
 import re
+import signal
 import subprocess
 import threading
 import time
@@ -141,6 +142,22 @@ class Merges(unittest.TestCase):
         self.assertGreater(lasted, 0.1)
         # Where the interpreter stood still, nearly all of it was silent.
         self.assertLess(max(numpy.diff(ticks)), 0.5 * lasted)
+
+    def test_a_break_stops_a_merge(self):
+        def stop(*_):
+            raise KeyboardInterrupt
+
+        series = vtknexrad.merge(SyntheticFiles.files(), dims=(256, 256, 128))
+        before = signal.signal(signal.SIGALRM, stop)
+        signal.setitimer(signal.ITIMER_REAL, 0.03)
+        try:
+            with self.assertRaises(KeyboardInterrupt):
+                series[0]  # pylint: disable=pointless-statement
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0.0)
+            signal.signal(signal.SIGALRM, before)
+        again = vtknexrad.merge(SyntheticFiles.files(), dims=(256, 256, 128))[0]
+        numpy.testing.assert_array_equal(series[0]["REF"].values.data, again["REF"].values.data)
 
     def test_one_path_is_enough(self):
         series = vtknexrad.merge(pathlib.Path(SyntheticFiles.files()[0]), dims=(4, 4, 4))
