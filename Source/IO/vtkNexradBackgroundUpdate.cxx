@@ -3,6 +3,8 @@
 
 #include "vtkNexradMessages.h"
 
+#include "nexrad/System/RangeLoop.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -14,7 +16,6 @@
 #include <atomic>
 #include <functional>
 #include <string>
-#include <thread>
 #include <vector>
 
 vtkStandardNewMacro(vtkNexradBackgroundUpdate);
@@ -25,34 +26,28 @@ struct vtkNexradBackgroundUpdate::Run
   vtkNew<vtkStringArray> errors;
   vtkNew<vtkStringArray> warnings;
   std::atomic<bool> done = true;
-  std::thread thread;
-
-  ~Run() { this->Wait(); }
-
-  void Wait()
-  {
-    if (thread.joinable())
-    {
-      thread.join();
-    }
-  }
+  nexrad::ThreadGroup thread; // waits when it goes
 
   void Start(vtkAlgorithm* ofAlgorithm, const std::function<void(vtkAlgorithm*)>& work)
   {
-    this->Wait();
+    thread.Join();
     algorithm = ofAlgorithm;
     algorithm->SetAbortExecute(0);
     done = false;
-    thread = std::thread(
-      [this, work]
-      {
-        vtkNexradMessages messages;
-        messages.Watch(algorithm);
-        work(algorithm);
-        Fill(messages.Errors(), errors);
-        Fill(messages.Warnings(), warnings);
-        done = true;
-      });
+    const auto update = [this, work]
+    {
+      vtkNexradMessages messages;
+      messages.Watch(algorithm);
+      work(algorithm);
+      Fill(messages.Errors(), errors);
+      Fill(messages.Warnings(), warnings);
+      done = true;
+    };
+    thread.Start(1, update);
+    if (thread.Count() == 0) // the system gives none
+    {
+      update();
+    }
   }
 
   static void Fill(const std::vector<std::string>& lines, vtkStringArray* array)
@@ -105,18 +100,18 @@ void vtkNexradBackgroundUpdate::Stop()
   {
     run->algorithm->SetAbortExecute(1);
   }
-  run->Wait();
+  run->thread.Join();
 }
 
 vtkStringArray* vtkNexradBackgroundUpdate::GetErrors()
 {
-  run->Wait();
+  run->thread.Join();
   return run->errors;
 }
 
 vtkStringArray* vtkNexradBackgroundUpdate::GetWarnings()
 {
-  run->Wait();
+  run->thread.Join();
   return run->warnings;
 }
 

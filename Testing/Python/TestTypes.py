@@ -16,7 +16,7 @@ disallow_untyped_defs = True
 disallow_incomplete_defs = True
 check_untyped_defs = True
 no_implicit_reexport = True
-[mypy-vtkmodules.*,matplotlib.*,xarray.*,datatree.*,pyvista.*]
+[mypy-vtkmodules.*,matplotlib.*,xarray.*,datatree.*]
 ignore_missing_imports = True
 """
 USE = """import datetime

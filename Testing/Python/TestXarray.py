@@ -253,6 +253,8 @@ class Xarray(unittest.TestCase):
         with self.assertRaisesRegex(vtknexrad.Error, "^/nowhere/radar.nc: cannot be written"):
             sweep.volume.write("/nowhere/radar.nc")
         self.assertFalse(os.path.exists(path + ".unfinished"))
+        with mock.patch.dict("sys.modules", netCDF4=None), self.assertRaisesRegex(ImportError, "^write needs the package netCDF4"):
+            sweep.volume.write(path)
 
     @unittest.skipUnless(HAS_XARRAY and HAS_NETCDF4, "xarray or netCDF4 is not installed")
     def test_a_file_of_it(self):

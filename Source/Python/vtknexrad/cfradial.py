@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from . import dataset
 from ._version import __version__
-from .errors import Error
+from .errors import Error, needed
 from .fields import State
 from .files import Path
 from .vtkNexradIO import vtkNexradMoments
@@ -47,6 +47,7 @@ def tree_of_radar(radar: RadarVolume, states: bool) -> Any:
 
 def write_radar(radar: RadarVolume, path: Path) -> None:
     """Writes the groups as a CfRadial 2 file, in which rays stand in the order of their times."""
+    needed("write needs", "netCDF4", "python3-netcdf4")
     datasets = datasets_of_radar(radar, False)
     unfinished = f"{os.fspath(path)}.unfinished"
     try:

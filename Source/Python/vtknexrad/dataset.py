@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import importlib
 import threading
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Optional
@@ -12,7 +11,7 @@ import numpy
 from numpy.typing import NDArray
 
 from ._version import __version__
-from .errors import Error
+from .errors import Error, needed
 from .fields import Field, State
 
 if TYPE_CHECKING:
@@ -22,6 +21,9 @@ if TYPE_CHECKING:
 
 #: A variable as xarray takes it: dimensions, values, attributes.
 Variable = tuple[Any, Any, dict[str, Any]]
+
+#: An array of numpy or dask, and its attributes.
+Array = tuple[Any, dict[str, Any]]
 
 #: Names of the table of CF standard names. The other moments have none.
 STANDARD_NAMES = {"REF": "equivalent_reflectivity_factor",
@@ -41,12 +43,7 @@ ALTITUDE = {"standard_name": "altitude", "long_name": "height above mean sea lev
 
 def import_xarray() -> Any:
     """The package xarray. Raises ImportError, in one line, where it is not installed."""
-    try:
-        import xarray
-    except ImportError:
-        raise ImportError("to_xarray needs the package xarray, which is not installed "
-                          "(Debian: python3-xarray)") from None
-    return xarray
+    return needed("to_xarray needs", "xarray", "python3-xarray")
 
 
 def dataset_of_volumes(volumes: Sequence[Volume]) -> Any:
@@ -73,39 +70,38 @@ def dataset_of_sweep(sweep: Sweep, georeference: bool) -> Any:
 def volume_variables(volumes: Sequence[Volume]) -> tuple[dict[str, Variable], dict[str, Variable], dict[str, Any]]:
     """Variables, coordinates and attributes of the dataset of volumes."""
     first = _first_of(volumes)
-    arrays: dict[str, numpy.ndarray[Any, Any]] = {}
+    arrays: dict[str, Array] = {}
     times: list[numpy.datetime64] = []
     sites: list[str] = []
     synthetic = False
-    for index, volume in enumerate(volumes):
+    for index in range(len(volumes)):
+        volume = volumes[index] if index > 0 else first
         times.append(volume.time)
         synthetic = synthetic or volume.synthetic
         sites += [site for site in volume.sites if site not in sites]
-        for part, values in _arrays_of(volume, first, sites).items():
+        for part, (values, attributes) in _arrays_of(volume, first, sites).items():
             if part not in arrays:
-                arrays[part] = numpy.empty((len(volumes), *values.shape), values.dtype)
-            arrays[part][index] = values
+                arrays[part] = numpy.empty((len(volumes), *values.shape), values.dtype), attributes
+            arrays[part][0][index] = values
     return _join(first, arrays, times, sites, synthetic)
 
 
 def lazy_variables(series: VolumeSeries) -> tuple[dict[str, Variable], dict[str, Variable], dict[str, Any]]:
     """The same of volumes of which dask reads or merges each when its values are asked for, one at a time."""
-    try:
-        array: Any = importlib.import_module("dask.array")
-        delayed = importlib.import_module("dask.delayed").delayed
-    except ImportError:
-        raise ImportError("chunks need the package dask, which is not installed (Debian: python3-dask)") from None
+    array = needed("chunks need", "dask.array", "python3-dask")
+    delayed = needed("chunks need", "dask.delayed", "python3-dask").delayed
     first = _first_of(series)
     sites = list(series.sites)
     alone = threading.Lock()  # a reader has one output
 
-    def arrays_at(index: int) -> dict[str, numpy.ndarray[Any, Any]]:
+    def arrays_at(index: int) -> dict[str, Array]:
         with alone:
             return _arrays_of(series[index], first, sites)
 
     volumes = [delayed(arrays_at, pure=False)(index) for index in range(len(series))]
-    arrays = {part: array.stack([array.from_delayed(volume[part], values.shape, values.dtype) for volume in volumes])
-              for part, values in _arrays_of(first, first, sites).items()}
+    arrays = {part: (array.stack([array.from_delayed(volume[part][0], values.shape, values.dtype) for volume in volumes]),
+                     attributes)
+              for part, (values, attributes) in _arrays_of(first, first, sites).items()}
     return _join(first, arrays, list(series.times), sites, first.synthetic)
 
 
@@ -115,26 +111,24 @@ def _first_of(volumes: Sequence[Volume]) -> Volume:
     return volumes[0]
 
 
-def _arrays_of(volume: Volume, first: Volume, sites: Sequence[str]) -> dict[str, numpy.ndarray[Any, Any]]:
-    """The arrays of a volume by the names of their variables. Radars are numbered as in `sites`.
+def _arrays_of(volume: Volume, first: Volume, sites: Sequence[str]) -> dict[str, Array]:
+    """The arrays of a volume and their attributes, by the names of their variables. Radars are numbered as in `sites`.
 
     Raises Error for a volume of another grid or other arrays than the first, or of a radar that is not in `sites`.
     """
     _check_like(volume, first)
-    arrays: dict[str, numpy.ndarray[Any, Any]] = {}
+    arrays: dict[str, Array] = {}
     for name in first.moments + first.ancillary:
-        for part, values, _ in _parts(volume[name], first.ancillary):
-            arrays[part] = _renumber(values, volume, sites) if name.endswith("_site") else values
+        for part, values, attributes in _parts(volume[name], first.ancillary):
+            arrays[part] = _renumber(values, volume, sites) if name.endswith("_site") else values, attributes
     return arrays
 
 
-def _join(first: Volume, arrays: dict[str, Any], times: Sequence[numpy.datetime64], sites: Sequence[str],
+def _join(first: Volume, arrays: dict[str, Array], times: Sequence[numpy.datetime64], sites: Sequence[str],
           synthetic: bool) -> tuple[dict[str, Variable], dict[str, Variable], dict[str, Any]]:
     """Variables of volumes like the first, from their arrays (time, z, y, x)."""
-    variables: dict[str, Variable] = {}
-    for name in first.moments + first.ancillary:
-        for part, _, attributes in _parts(first[name], first.ancillary):
-            variables[part] = (("time", "z", "y", "x"), arrays[part], {**attributes, "grid_mapping": "projection"})
+    variables: dict[str, Variable] = {part: (("time", "z", "y", "x"), values, {**attributes, "grid_mapping": "projection"})
+                                      for part, (values, attributes) in arrays.items()}
     variables["projection"] = ((), numpy.int32(0), _grid_mapping(first))
     coordinates = {"time": ("time", numpy.array(times, "datetime64[ns]"),
                             {"standard_name": "time", "long_name": "time of the volume, UTC", "axis": "T"}),
@@ -245,11 +239,7 @@ def sweep_variables(sweep: Sweep, georeference: bool) -> tuple[dict[str, Variabl
             coordinates[dimension] = (dimension, gates, RANGE)
         for part, values, attributes in _parts(field):
             variables[part] = (("azimuth", dimension), values[order], attributes)
-    places = _gate_coordinates(sweep)
-    if georeference:
-        degrees = sweep.places()
-        places.update(longitude=(degrees[..., 0], LONGITUDE), latitude=(degrees[..., 1], LATITUDE))
-    for name, (values, attributes) in places.items() if sweep.moments else ():
+    for name, (values, attributes) in _gate_coordinates(sweep, georeference).items() if sweep.moments else ():
         coordinates[name] = (("azimuth", "range"), values[order], attributes)
     if sweep.volume.position is not None:
         for _, _, attributes in variables.values():
@@ -278,16 +268,20 @@ def ray_coordinates(sweep: Sweep) -> tuple[NDArray[numpy.int64], dict[str, Varia
         "time": ("azimuth", sweep.times[order], {"standard_name": "time", "long_name": "time of the ray, UTC"})}
 
 
-def _gate_coordinates(sweep: Sweep) -> dict[str, tuple[Any, dict[str, str]]]:
-    """x, y and z of the gates of the first moment, in metres, as float32: to 3 cm at 460 km."""
-    points = sweep.xyz().astype(numpy.float32) if sweep.moments else numpy.empty((0, 0, 3), numpy.float32)
+def _gate_coordinates(sweep: Sweep, georeference: bool) -> dict[str, tuple[Any, dict[str, str]]]:
+    """x, y and z of the gates of the first moment, in metres, as float32: to 3 cm at 460 km. With `georeference`,
+    longitude and latitude, too."""
+    x, y, z = numpy.moveaxis(sweep.xyz().astype(numpy.float32), -1, 0)
     altitude = sweep.volume.position[2] if sweep.volume.position is not None else None
+    away = {"standard_name": "projection_x_coordinate", "long_name": "distance east of the radar", "units": "m"}
+    ahead = {"standard_name": "projection_y_coordinate", "long_name": "distance north of the radar", "units": "m"}
     height = {"standard_name": "height", "long_name": "height above the antenna", "units": "m", "positive": "up"}
-    return {"x": (points[..., 0], {"standard_name": "projection_x_coordinate", "long_name": "distance east of the radar",
-                                   "units": "m"}),
-            "y": (points[..., 1], {"standard_name": "projection_y_coordinate", "long_name": "distance north of the radar",
-                                   "units": "m"}),
-            "z": (points[..., 2] + numpy.float32(altitude or 0.0), height if altitude is None else ALTITUDE)}
+    places = {"x": (x, away), "y": (y, ahead),
+              "z": (z, height) if altitude is None else (z + numpy.float32(altitude), ALTITUDE)}
+    if georeference:
+        longitude, latitude, _ = numpy.moveaxis(sweep.places(), -1, 0)
+        places.update(longitude=(longitude, LONGITUDE), latitude=(latitude, LATITUDE))
+    return places
 
 
 def _sweep_attributes(sweep: Sweep) -> dict[str, Any]:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import contextlib
+import importlib
 import re
 import sys
 import time
@@ -32,6 +33,22 @@ class OutOfRange(Error, IndexError):
 
 class DamageWarning(UserWarning):
     """A file is damaged or was left out; what can be read of it is there."""
+
+
+def needed(what: str, module: str, debian: str = "") -> Any:
+    """Imports a module of a package that need not be there. Raises ImportError, in one line, where it is not.
+
+    what: whoever needs it, as "pictures need". debian: the package of Debian that has it.
+
+    >>> needed("storms need", "thunder.clouds", "python3-thunder")
+    Traceback (most recent call last):
+    ImportError: storms need the package thunder, which is not installed (Debian: python3-thunder)
+    """
+    try:
+        return importlib.import_module(module)
+    except ImportError:
+        hint = f" (Debian: {debian})" if debian else ""
+        raise ImportError(f"{what} the package {module.partition('.')[0]}, which is not installed{hint}") from None
 
 
 class Messages:

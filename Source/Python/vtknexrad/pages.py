@@ -31,7 +31,8 @@ class Page:
 
 
 def make_page(write: Callable[[str], Any], height: int, options: dict[str, Any]) -> Page:
-    """The page of the volumes that `write` writes to a path or folder.
+    """The page of the volumes that `write` writes. It is given a path for a volume, and returns that of what it wrote
+    where it is another one.
 
     Raises Error with the program's line when it refuses an option or cannot make the page.
     """

@@ -12,7 +12,7 @@ import numpy
 from numpy.typing import NDArray
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
 
-from .errors import UnknownName
+from .errors import UnknownName, needed
 from .times import text_of
 from .vtkNexradScene import vtkNexradTransferFunction
 
@@ -142,12 +142,7 @@ def _edges_between(centres: NDArray[numpy.float64]) -> NDArray[numpy.float64]:
 
 
 def _matplotlib(module: str) -> Any:
-    try:
-        import importlib
-        return importlib.import_module(f"matplotlib.{module}")
-    except ImportError:
-        raise ImportError("pictures need the package matplotlib, which is not installed "
-                          "(Debian: python3-matplotlib)") from None
+    return needed("pictures need", f"matplotlib.{module}", "python3-matplotlib")
 
 
 def volume_html(volume: Volume) -> str:

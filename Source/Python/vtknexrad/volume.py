@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from . import data, files
-from .errors import Error, errors_of, texts_of
+from .errors import Error, errors_of, needed, texts_of
 from .files import Path
 from .fields import ANCILLARY, Field, State, masked, missing, moment_names
 from .pages import Page, make_page
@@ -263,11 +263,7 @@ class Volume:
 
         Raises ImportError when pyvista is not installed.
         """
-        try:
-            import pyvista
-        except ImportError:
-            raise ImportError("to_pyvista needs the package pyvista, which is not installed") from None
-        return pyvista.wrap(self.image)
+        return needed("to_pyvista needs", "pyvista").wrap(self.image)
 
     def plot(self, moment: Optional[str] = None, height: Optional[float] = None, ax: Any = None) -> Any:
         """Draws a map with matplotlib and returns its axes: the composite, or the level nearest to
